@@ -4,6 +4,7 @@
 #include <boost/program_options.hpp>
 #include <filesystem>
 #include <iostream>
+#include <map>
 
 namespace refitlab {
 namespace {
@@ -86,6 +87,10 @@ bool parse(int argc, char** argv, Options& o) {
   if (map.count("character") && map.count("model")) throw po::error("--character is of the default models, --model of one's own");
   for (const auto& file : o.files)
     if (!std::filesystem::is_regular_file(file)) throw po::error("--model " + file + ": there is no such file");
+  std::map<std::string, std::string> paths;  // by what results call a model
+  for (const auto& file : o.files)
+    if (const auto [other, is_new] = paths.emplace(std::filesystem::path(file).filename().string(), file); !is_new)
+      throw po::error("--model " + file + ": results would not tell it from " + other->second + ", which has the same name");
   o.anew = map.count("anew");
   o.packs_models = map.count("pack-models");
   for (const char* name : {"node", "clip", "time", "variant"})

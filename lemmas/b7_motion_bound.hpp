@@ -12,7 +12,7 @@
 // - linear blending: the first may be shorter, and the second is 0;
 // - dual quaternions: it is B - L;
 // - spherical blending about a rotation center r, at f = r: it is 0;
-// - spherical blending about a least-squares center, sum_{k<l} (R_k - R_l)^T (C_k r - C_l r) = 0, at any f: it is R - L
+// - spherical blending about a least-squares center, sum_{k<l} (R_k - R_l)^T (C_k r - C_l r) = 0, at any f: it is L - R
 //   of the rotations alone at r - f, whose A is less: sum ||R_k (r - f) - R_l (r - f)||^2 = A(f)^2 - sum ||C_k r - C_l
 //   r||^2.
 // For given weights u, whatever the signs of the quaternions, with (q_k, q_l) >= c_kl and 0 < D <= ||q||^2,

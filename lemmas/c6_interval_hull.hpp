@@ -4,7 +4,8 @@
 // Statement. (i) Let points move over an interval of the length h with ||f''|| <= M each, or ||f'|| <= L, and let a convex set
 // K hold all of them at both ends. With the slack e = min(M h^2 / 8, L h / 2), K blown up by e in all directions holds them
 // throughout: a ball's radius grows by e, a slab {x : low <= (n, x) <= high} by ||n|| e on both sides, and so do the boxes and
-// k-DOPs that are intersections of slabs. Half of the interval has a quarter of the slack.
+// k-DOPs that are intersections of slabs. Half of the interval has at most half of
+// the slack, and a quarter where that is M h^2 / 8.
 // (ii) Let f depend on p parameters in a box with sides h_i, with such bounds M_i or L_i of the derivatives in each of them
 // alone, the others being held. A convex set that holds f at all 2^p corners holds it throughout if it is blown up by the sum
 // of the e_i. Nothing is asked of mixed derivatives.

@@ -67,6 +67,18 @@ def fewer_spheres(results):
             for s in SCENES if s != "far"]
 
 
+def upper_cost_ratios(results, variant):
+    """Of spheres on the upper third of a tree's levels, which queries refit most."""
+    rows = [(int(row.level), row.model, row.value) for row in results.select("speed", variant=variant, quantity="ratio_to_repaired") if row.level != ALL]
+    levels = {model: max(level for level, other, _ in rows if other == model) for _, model, _ in rows}
+    return [ratio for level, model, ratio in rows if 3 * level <= levels[model]]
+
+
+def query_ratios(results):
+    """Of whole queries with the default refit over those with Algorithm 1 repaired, in all scenes of the man."""
+    return [time_of(results, scene, "control_mixed") / time_of(results, scene, "spherical_repaired") for scene in SCENES]
+
+
 def batch_gains(results):
     return [1 / v for v in results.values("batch_speed", operation="refit_spherical", method="avx512", quantity="ratio_to_scalar")]
 

@@ -22,20 +22,28 @@ def commit_of(results, *files):
     return ", ".join(sorted({results.provenance[name]["commit"] for name in files}))
 
 
+def command_of(results, name):
+    """The command whose last run wrote this table."""
+    effort = next((row.effort for row in results.rows("run") if row.file == f"{name}.csv"), "full")
+    return "experiments/run" + ("" if effort == "default" else f" --{effort}")
+
+
 def variants_block(results):
     commit = commit_of(results, "tightness", "speed", "collision", "batch_speed")
     worst = {v: digits(content.worst_ratio(results, v)) for v in ("spherical_repaired", "control_mixed", "control_many_pieces")}
     twist = digits(content.worst_ratio(results, "control_mixed", "twist"))
     missed = content.total(results, "tightness", quantity="misses", variant=lambda v: v in content.SPHERICAL)
     gains = content.batch_gains(results)
+    upper, slower = max(content.upper_cost_ratios(results, "control_mixed")), span(content.query_ratios(results))
     return f"""\
-Measured on six characters with `experiments/run --full` (commit {commit}); {'no ball' if missed == 0 else whole_number(missed) + ' balls'} of these {'misses' if missed == 0 else 'miss'} a vertex. The tightness of a level is the
+Measured on six characters with `{command_of(results, "tightness")}` (commit {commit}); {'no ball' if missed == 0 else whole_number(missed) + ' balls'} of these {'misses' if missed == 0 else 'miss'} a vertex. The tightness of a level is the
 average radius over that of the smallest balls of the deformed vertices. On the worst level of the worst clip it is {worst['spherical_repaired']} for `spherical_repaired`,
 {worst['control_mixed']} for `control_mixed` and {worst['control_many_pieces']} for `control_many_pieces`. Where a joint is twisted by 170 degrees or more, it is at most {twist} on
 any level for `control_mixed`. The cost of a sphere, relative to `spherical_repaired` in the same run, is {from_to(content.cost_ratios(results, 'control_mixed'))} for `control_mixed`
-and {from_to(content.cost_ratios(results, 'control_many_pieces'))} for `control_many_pieces`. Where anything is near, queries refit {from_to(content.fewer_spheres(results))} times fewer spheres
-with `control_mixed`. In batches of SIMD packs (`algorithms/runtime/batch`), refitting all spheres of a tree by Algorithm 1 repaired costs
-1/{min(gains):.0f} to 1/{max(gains):.0f} of refitting them one by one.
+and {from_to(content.cost_ratios(results, 'control_many_pieces'))} for `control_many_pieces`. Where anything is near, queries of the man refit {from_to(content.fewer_spheres(results))} times fewer
+spheres with `control_mixed`; but these are mostly on the upper levels of the tree, where a sphere costs up to {digits(upper, 2)} times as much. A whole query, far ones too, takes
+{digits(slower.least, 2)} to {digits(slower.most, 2)} times as long as with `spherical_repaired`. In batches of SIMD packs (`algorithms/runtime/batch`), refitting all spheres of a tree by Algorithm 1 repaired costs
+1/{min(gains):.0f} to 1/{max(gains):.0f} of refitting them one by one, in float in place of double.
 """
 
 
@@ -59,7 +67,7 @@ def queries_block(results):
         ceilings[scene] = digits(whole / (whole - before), 3)
     return f"""\
 The table gives the microseconds a frame, from pose to pairs, to find all touching pairs of two walking men of 8270 triangles each
-(`experiments/run --full`; commit {commit}, {cpu}, one thread). Every set of pairs is checked against brute force. The last four
+(`{command_of(results, "collision")}`; commit {commit}, {cpu}, one thread). Every set of pairs is checked: against brute force, and in the largest models against that of the second row. The last four
 columns compare with Embree alone.
 
 | | {' | '.join(heads)} |
@@ -81,28 +89,24 @@ def over_time_block(results):
         by = [f"{100 * row.value:.2g} %" if row else "" for row in (found["whole"], found["cluster"])]
         rows.append(f"| {found['way']} | {found['clips']} of {clips} | {by[0]} | {found['clusters']} of {clusters:.0f} | {by[1]} |")
     misses = sum(over_time.total(results, q) for q in ("whole_missed", "clusters_missed", "exact_misses"))
+    undecided = over_time.total(results, "exact_undecided")
+    unknown = f", and of {undecided} that were placed with many digits these are too few to tell" if undecided else ""
     whole = {s: f"{over_time.whole_ratios(results, skinning=s).most:.3f}" for s in over_time.SKINNINGS}
     cluster = {s: f"{over_time.cluster_ratio(results, skinning=s):.3f}" for s in over_time.SKINNINGS}
     triangles, bounding, written = over_time.peaks(results)[-1]
     return f"""\
 What gets out of its box between sampled times, in {clips} clips of six characters with clusters of 128 triangles, linear skinning, and by how much
-of the box's longest side at most (`experiments/run --full --only over_time`; commit {commit}):
+of the box's longest side at most (`{command_of(results, "over_time")} --only over_time`; commit {commit}):
 
 | | characters out | by | clusters out | by |
 |---|---|---|---|---|
 """ + "\n".join(rows) + f"""
 
-Of {over_time.total(results, 'places'):,} places of vertices, with all three ways of skinning, {'none' if misses == 0 else misses} {'was' if misses < 2 else 'were'} outside of the bounds over time.
+Of {over_time.total(results, 'places'):,} times that a vertex was compared with a bound of its character or of a cluster, with all three ways of skinning, {'none' if misses == 0 else misses} {'was' if misses < 2 else 'were'} outside{unknown}.
 The volume of a character's box is at most {whole['linear']} times that of the smallest box around what was seen, and {cluster['linear']} times for a cluster on average.
 With dual quaternions the factors are {whole['dual_quaternion']} and {cluster['dual_quaternion']}, because of a clip in which blends nearly vanish; with spherical blending {whole['spherical']} and {cluster['spherical']}.
 Bounding {triangles:,} triangles takes {bounding:.0f} MB of memory; writing the character for refits, too, takes {written:.0f} MB.
 """
-
-
-def command_of(results, name):
-    """The command whose last run wrote this table."""
-    effort = next((row.effort for row in results.rows("run") if row.file == f"{name}.csv"), "full")
-    return "experiments/run" + ("" if effort == "default" else f" --{effort}")
 
 
 def row_of_engines(results, method):
@@ -119,6 +123,9 @@ def engines_block(results):
     reference = engines.row_of(results, "joint_boxes", "linear")
     twisted = {s: engines.row_of(results, engines.OURS, s)["twists"] for s in over_time.SKINNINGS}
     undecided = round(sum(row.value for row in results.find("engines", quantity="undecided")))
+    unseen = engines.unseen(results)
+    of_others = (f". In {unseen['clips']} clips of models\nwith others, boxes that are fitted to the others alone have {unseen['mean']:.3f}, where these have "
+                 f"{unseen['fitted']:.3f} and the true box {unseen['true']:.3f}") if unseen else ""
     any_ratio = {s: engines.row_of(results, "motion_bound", s) for s in ("dual_quaternion", "spherical")}
     return f"""\
 The table is of {volume['clips']} clips of six characters (`{command_of(results, "engines")} --only engines`; commit {commit}). The volume is that of the box over that of the
@@ -130,7 +137,7 @@ of skinning, in which a vertex is outside; where double precision cannot tell, {
 """ + "\n".join(f"| {row_of_engines(results, method)} |" for method in methods) + f"""
 
 Rounded boxes should have at most {goals['volume']} of the volume of joint boxes on average, at most at their cost. They have {volume['mean']:.3f}, {'as they should' if volume['mean'] <= goals['volume'] else 'more than they should'}, where the
-true box has {volume['true']:.3f}; {volume['reached']} of {volume['clips']} clips are within the goal. Their cost is {cost['ratio']:.2f} of that of joint boxes from a pose, and {cost['ratio_of_matrices']:.2f} from the matrices that
+true box has {volume['true']:.3f}; {volume['reached']} of {volume['clips']} clips are within the goal. They are fitted to twelve poses of each of these clips{of_others}. Their cost is {cost['ratio']:.2f} of that of joint boxes from a pose, and {cost['ratio_of_matrices']:.2f} from the matrices that
 skinning needs anyway, {'as it should be' if max(cost['ratio'], cost['ratio_of_matrices']) <= goals['cost'] else 'more than it should be'}. Rounded boxes and capsules are sound for linear skinning alone: when each joint is twisted by 90 to 179 degrees, rounded boxes miss a vertex in {twisted['linear'][0]} of
 {twisted['linear'][1]} poses with linear, {twisted['dual_quaternion'][0]} with dual quaternion and {twisted['spherical'][0]} with spherical skinning. The motion bound is sound for all three. It has {any_ratio['dual_quaternion']['volume_ratio']:.2f} and {any_ratio['spherical']['volume_ratio']:.2f} times the
 volume of the true box with the last two, where it has a bound: it has none in {any_ratio['dual_quaternion']['unbounded']} and {any_ratio['spherical']['unbounded']} poses, in which blends nearly vanish.

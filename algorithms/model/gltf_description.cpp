@@ -52,17 +52,8 @@ class Description {
         "accessors", "accessor", [this](const json& from, const std::string& thing) { return accessor(from, thing); }, out);
     take_list(
         "meshes", "mesh", [this](const json& from, const std::string& thing) { return mesh(from, thing); }, out);
-    take_list("nodes", "node",
-              {{"name", Kind::text},
-               {"children", Kind::indices},
-               {"matrix", Kind::numbers},
-               {"translation", Kind::numbers},
-               {"rotation", Kind::numbers},
-               {"scale", Kind::numbers},
-               {"mesh", Kind::index},
-               {"skin", Kind::index},
-               {"weights", Kind::numbers}},
-              out);
+    take_list(
+        "nodes", "node", [this](const json& from, const std::string& thing) { return node(from, thing); }, out);
     take_list("scenes", "scene", {{"nodes", Kind::indices}}, out);
     take_list(
         "skins", "skin", [this](const json& from, const std::string& thing) { return skin(from, thing); }, out);
@@ -181,6 +172,34 @@ class Description {
     const bool in_file = has_binary_ && &from == &whole_.at("buffers").front();
     if ((!out.contains("uri") && !in_file) || out.value("uri", "x").empty() || out.value("byteLength", 0) == 0)
       refuse(thing, "has no bytes");
+    if (out.contains("uri")) out["uri"] = uri_of(out["uri"], out["byteLength"]);
+    return out;
+  }
+
+  static std::string uri_of(std::string uri, std::size_t length) {
+    if (!uri.starts_with("data:")) {
+      for (std::size_t at = 0; (at = uri.find('+', at)) != std::string::npos;) uri.replace(at, 1, "%2B");
+      return uri;
+    }
+    // Three bytes are four digits, and one or two of them are two or three, with "=" for the others.
+    const std::size_t first = uri.find(',') + 1, digits = (8 * length + 5) / 6, all = (length + 2) / 3 * 4;
+    if (first > 0 && uri.size() >= first + digits) uri.resize(first + digits), uri.resize(first + all, '=');
+    return uri;
+  }
+
+  json node(const json& from, const std::string& thing) const {
+    json out = copied(from, thing,
+                      {{"name", Kind::text},
+                       {"children", Kind::indices},
+                       {"matrix", Kind::numbers},
+                       {"translation", Kind::numbers},
+                       {"rotation", Kind::numbers},
+                       {"scale", Kind::numbers},
+                       {"mesh", Kind::index},
+                       {"skin", Kind::index},
+                       {"weights", Kind::numbers}});
+    if (const json* extensions = member(from, "extensions"); extensions && extensions->contains("EXT_mesh_gpu_instancing"))
+      refuse(thing, "is shown in the places of EXT_mesh_gpu_instancing, which is not read");
     return out;
   }
 
@@ -256,7 +275,7 @@ class Description {
 
 }  // namespace
 
-std::string gltf_geometry(const std::string& bytes, const std::string& path) {
+GltfGeometry gltf_geometry(const std::string& bytes, const std::string& path) {
   std::vector<GlbChunk> chunks = bytes.starts_with("glTF") ? read_glb(bytes, path) : std::vector<GlbChunk>{{json_chunk, bytes}};
   if (bytes.size() > static_cast<std::size_t>(greatest_index)) throw ModelError(path, "file", "is larger than 2 GB");
   json whole;
@@ -267,8 +286,13 @@ std::string gltf_geometry(const std::string& bytes, const std::string& path) {
   }
   const bool has_binary = chunks.size() > 1 && chunks[1].type == bin_chunk && !chunks[1].data.empty();
   chunks.resize(has_binary ? 2 : 1);
-  chunks[0].data = Description(whole, has_binary, path).geometry().dump();
-  return glb_of(chunks, path);
+  const json geometry = Description(whole, has_binary, path).geometry();
+  chunks[0].data = geometry.dump();
+  GltfGeometry out{glb_of(chunks, path), {}};
+  for (const json& buffer : geometry.at("buffers"))
+    if (buffer.contains("uri") && !buffer["uri"].get_ref<const std::string&>().starts_with("data:"))
+      out.lengths.push_back(buffer["byteLength"]);
+  return out;
 }
 
 }  // namespace refitlab

@@ -5,6 +5,7 @@
 #define TINYGLTF_NO_EXTERNAL_IMAGE
 #include "algorithms/model/gltf_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "algorithms/model/gltf_description.hpp"
@@ -14,18 +15,27 @@
 namespace refitlab {
 namespace {
 
+// Beside is the folder of the file that is read. tinygltf reads the buffers beside it once each, in order.
+struct Beside {
+  std::string folder;
+  std::vector<std::size_t> lengths;  // of the buffers that are left to read, the next one last
+};
+
 // Returns whether a file is beside the one that refers to it. It may be nowhere else, but tinygltf looks into the working
 // directory too.
-bool is_beside(const std::string& path, void* folder) {
+bool is_beside(const std::string& path, void* beside) {
   std::error_code error;
-  return path.starts_with(*static_cast<const std::string*>(folder)) && std::filesystem::is_regular_file(path, error);
+  return path.starts_with(static_cast<const Beside*>(beside)->folder) && std::filesystem::is_regular_file(path, error);
 }
 
-bool read_beside(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
+// Reads as much of a file as the buffer has. There may be more.
+bool read_beside(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* beside) {
+  std::vector<std::size_t>& lengths = static_cast<Beside*>(beside)->lengths;
   const auto bytes = bytes_of_regular_file(path);
-  if (!bytes) *error = "cannot be read";
-  else out->assign(bytes->begin(), bytes->end());
-  return bytes.has_value();
+  if (!bytes || lengths.empty()) return *error = "cannot be read", false;
+  out->assign(bytes->begin(), bytes->begin() + static_cast<std::ptrdiff_t>(std::min(lengths.back(), bytes->size())));
+  lengths.pop_back();
+  return true;
 }
 
 std::string as_it_is(const std::string& path, void*) { return path; }
@@ -33,16 +43,17 @@ std::string as_it_is(const std::string& path, void*) { return path; }
 }  // namespace
 
 tinygltf::Model read_gltf(const std::string& bytes, const std::string& path) {
-  const std::string geometry = gltf_geometry(bytes, path);
-  std::string folder = std::filesystem::path(path).parent_path().string(), error, warning;
+  const GltfGeometry geometry = gltf_geometry(bytes, path);
+  Beside beside{std::filesystem::path(path).parent_path().string(), {geometry.lengths.rbegin(), geometry.lengths.rend()}};
+  std::string &folder = beside.folder, error, warning;
   folder = folder.empty() ? "./" : folder.ends_with("/") ? folder : folder + "/";
   tinygltf::TinyGLTF reader;
-  reader.SetFsCallbacks({is_beside, as_it_is, read_beside, nullptr, &folder});
+  reader.SetFsCallbacks({is_beside, as_it_is, read_beside, nullptr, &beside});
   tinygltf::Model out;
   bool is_read = false;
   try {
-    is_read = reader.LoadBinaryFromMemory(&out, &error, &warning, reinterpret_cast<const unsigned char*>(geometry.data()),
-                                          static_cast<unsigned>(geometry.size()), folder, tinygltf::NO_REQUIRE);
+    is_read = reader.LoadBinaryFromMemory(&out, &error, &warning, reinterpret_cast<const unsigned char*>(geometry.glb.data()),
+                                          static_cast<unsigned>(geometry.glb.size()), folder, tinygltf::NO_REQUIRE);
   } catch (const std::exception& e) {
     error += e.what();
   }

@@ -25,7 +25,9 @@ class PrimitiveReader {
         label_(label),
         file_(file) {}
 
+  // Returns one without triangles where there are no positions, since glTF says that such a primitive is not shown.
   ScenePrimitive read() const {
+    if (attribute("POSITION") < 0) return {label_, {}, {}, {}, std::vector<std::vector<Eigen::Vector3d>>(source_.targets.size())};
     ScenePrimitive out{label_, positions(), {}, {}, {}};
     const Indices vertices = indices(out.positions.size());
     out.triangles = triangles(vertices);
@@ -42,7 +44,6 @@ class PrimitiveReader {
 
   std::vector<Eigen::Vector3d> positions() const {
     const int accessor = attribute("POSITION");
-    if (accessor < 0) throw ModelError(file_, label_, "has no positions");
     const NumberTable table = numbers_.read(accessor, TINYGLTF_TYPE_VEC3, quantized_ ? Numbers::any : Numbers::floats, label_);
     if (table.rows == 0) throw ModelError(file_, label_, "is empty");
     if (table.rows > static_cast<std::size_t>(std::numeric_limits<int>::max()))

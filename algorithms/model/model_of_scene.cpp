@@ -102,7 +102,8 @@ class Skin {
     farthest_sum_ = std::max(farthest_sum_, std::abs(sum - 1));
     const Point3 rest = (bound.placement * position_of(use, primitive, index).homogeneous()).head<3>();
     const std::vector<double> moved = morphed < 0 ? std::vector<double>{} : displacements_of(bound, primitive, index);
-    const Key key{{rest[0], rest[1], rest[2]}, quantize_weights(weights), moved.empty() ? -1 : morphed, moved};
+    // By the file's own weights: what only their rounding makes the same is not, and a triangle of it has three corners.
+    const Key key{{rest[0], rest[1], rest[2]}, weights, moved.empty() ? -1 : morphed, moved};
     const auto [found, is_new] = known_.try_emplace(key, static_cast<int>(model_.vertices.size()));
     if (is_new) {
       for (std::size_t t = 0; t < moved.size() / 3; ++t)
@@ -110,7 +111,7 @@ class Skin {
           model_.morphs[morphed].targets[t].displacements.emplace_back(found->second, by);
       model_.vertices.push_back(rest);
       auto& influences = model_.influences.emplace_back();
-      for (const auto& [joint, weight] : std::get<1>(key)) influences.push_back({joint, weight});
+      for (const auto& [joint, weight] : quantize_weights(weights)) influences.push_back({joint, weight});
     }
     return found->second;
   }

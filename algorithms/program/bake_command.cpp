@@ -81,6 +81,9 @@ BakeCall parse(const po::variables_map& map) {
   call.bounds.crossfades = purpose == "crossfade";
   const std::string rotations = map["rotations"].as<std::string>();
   if (rotations != "slerp" && rotations != "nlerp") throw UsageError("--rotations " + rotations + ": there are slerp and nlerp");
+  for (const char* name : {"rotations", "crossfade-tolerance"})
+    if (!call.bounds.crossfades && !map[name].defaulted())
+      throw UsageError("--" + std::string(name) + " is that of crossfades, which --for crossfade bounds");
   call.bounds.rotations = rotations == "slerp" ? RotationBlend::slerp : RotationBlend::nlerp;
   call.bounds.cluster_triangles = map["clusters"].as<int>();
   const int c = call.bounds.cluster_triangles;
@@ -117,6 +120,7 @@ std::string summary_json(const Model& model, const ModelBounds& bounds, const Ba
                                 {"vertices", model.vertices.size()},
                                 {"seconds", seconds},
                                 {"moments", bounds.moments}};
+  if (!bounds.crossfades.empty()) out["crossfade_tolerance"] = call.bounds.crossfade_tolerance;
   if (peak.bounding && peak.all) out["peak_megabytes_bounding"] = *peak.bounding, out["peak_megabytes"] = *peak.all;
   for (const BoundedClip& clip : bounds.clips)
     out["clips"].push_back({{"name", clip.name}, {"duration", clip.duration}, {"parts", json_of_parts(bounds, clip.parts)}});
@@ -167,7 +171,7 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto peak_of_bounding = peak_megabytes();
 
-  chunks[0].data = with_extras(chunks[0].data, model, bounds, call.bounds.tolerance, call.in);
+  chunks[0].data = with_extras(chunks[0].data, model, bounds, call.bounds, call.in);
   std::erase_if(chunks, [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });
   BakedFile baked_file{bounds.skinning, bounds.rotations, std::nullopt, clusters_of(model, bounds)};
   if (call.with_character) baked_file.character = character ? *std::move(character) : baked_character(model);

@@ -73,7 +73,10 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
     Model model = load_model_guarded(file, {.joints = Joints::affine, .morphs = Morphs::moving});
     print_notes(model, errors);
     const Clip* clip = clip_of(model.clips, file, map["clip-" + std::string(side)].as<std::string>());
-    const double time = clip ? map["time-" + std::string(side)].as<double>() : 0;
+    const po::variable_value& given = map["time-" + std::string(side)];
+    if (!clip && !given.defaulted())
+      throw UsageError("--time-" + std::string(side) + " is that of a clip: --clip-" + side + " names it");
+    const double time = given.as<double>();
     if (clip && !(time >= 0 && time <= clip->duration))
       throw UsageError("--time-" + std::string(side) + ": the clip goes from 0 to " + std::to_string(clip->duration) + " s");
     const Animation animation = clip ? clip->animation : Animation{};

@@ -25,7 +25,10 @@ boost::program_options::variables_map parse_arguments(const std::vector<std::str
   }
   po::variables_map map;
   try {
-    po::store(po::command_line_parser(arguments).options(all).positional(positions).run(), map);
+    // There are no short options: what begins with one dash is a number below 0, or a file.
+    using Style = po::command_line_style::style_t;
+    const int style = Style::default_style & ~Style::allow_short;
+    po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(), map);
     po::notify(map);
   } catch (const po::error& e) {
     throw UsageError(e.what());

@@ -18,9 +18,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr int extras_version = 1;
 
-Json header(const ModelBounds& bounds, double tolerance) {
-  Json out = {{"version", extras_version}, {"skinning", name_of(bounds.skinning)}, {"tolerance", tolerance}};
-  if (!bounds.crossfades.empty()) out["rotations"] = bounds.rotations == RotationBlend::slerp ? "slerp" : "nlerp";
+Json header(const ModelBounds& bounds, const ModelBoundsOptions& options) {
+  Json out = {{"version", extras_version}, {"skinning", name_of(bounds.skinning)}, {"tolerance", options.tolerance}};
+  if (!bounds.crossfades.empty()) {
+    out["crossfade_tolerance"] = options.crossfade_tolerance;
+    out["rotations"] = bounds.rotations == RotationBlend::slerp ? "slerp" : "nlerp";
+  }
   if (Json directions = json_of_directions<Json>(bounds.dop); !directions.empty()) out["directions"] = std::move(directions);
   return out;
 }
@@ -59,11 +62,11 @@ Json json_of_clip(const Model& model, const ModelBounds& bounds, int clip) {
 
 }  // namespace
 
-std::string with_extras(const std::string& json, const Model& model, const ModelBounds& bounds, double tolerance,
+std::string with_extras(const std::string& json, const Model& model, const ModelBounds& bounds, const ModelBoundsOptions& options,
                         const std::string& file) {
   std::string text = json;
   const auto add = [&](JsonPath path, const std::string& thing, const Json& value) {
-    Json whole = header(bounds, tolerance);
+    Json whole = header(bounds, options);
     whole.update(value);
     path.push_back("extras");
     try {

@@ -142,7 +142,7 @@ SampledMisses misses_of_sampling(const Model& model, const ModelBounds& bounds, 
     }
     const double share = most / known.edges().maxCoeff();
     const std::lock_guard lock(guard);
-    if (!(share > least_miss)) return;  // NaN of a cluster that is a point
+    if (!(share > least_miss)) return;  // NaN of a cluster that stays a point
     ++out.clusters;
     if (share > out.by) out.by = share, out.worst = static_cast<int>(c), out.time = when;
   });
@@ -158,12 +158,13 @@ std::string report_page(const Model& model, const ModelBounds& bounds, const std
                          {"skinning", name_of(bounds.skinning)},
                          {"clusters", clusters.size()},
                          {"frames", frames_shown}};
-  std::string triangles, cluster_of(model.triangles.size() * 2, '\0');
+  std::string triangles, cluster_of;
   for (const Triangle& t : model.triangles)
     for (const int v : t) put_32_bits(triangles, v);
+  std::vector<int> clusters_of_triangles(model.triangles.size());
   for (std::size_t c = 0; c < clusters.size(); ++c)
-    for (const int t : clusters[c]->triangles)
-      cluster_of[2 * t] = static_cast<char>(c & 0xFF), cluster_of[2 * t + 1] = static_cast<char>(c >> 8 & 0xFF);
+    for (const int t : clusters[c]->triangles) clusters_of_triangles[t] = static_cast<int>(c);
+  for (const int c : clusters_of_triangles) put_32_bits(cluster_of, c);
   data["triangles"] = base64(triangles), data["cluster_of"] = base64(cluster_of);
   for (std::size_t c = 0; c < bounds.clips.size(); ++c) {
     const BoundedClip& clip = bounds.clips[c];

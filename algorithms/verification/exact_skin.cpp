@@ -72,12 +72,12 @@ bool ExactSkin::is_in(const Box<double>& box, int vertex) {
   const DefaultFloatEnvironment environment;
   const Enclosure& quick = enclosure(vertex);
   for (int i = 0; i < 3; ++i) {
+    if (std::isnan(box.low[i]) || std::isnan(box.high[i])) return false;
     // How far it is inside of the nearer wall.
     const double depth = std::min(quick.about[i] - box.low[i], box.high[i] - quick.about[i]);
     const double unsure = 2 * quick.error + 1e-14 * std::abs(quick.about[i]) + 1e-150;
     if (depth > unsure) continue;
     if (depth < -unsure) return false;
-    if (std::isnan(depth)) return false;
     const Rational& at = exact(vertex)[i];
     if (std::isfinite(box.low[i]) && at < Rational(box.low[i])) return false;
     if (std::isfinite(box.high[i]) && at > Rational(box.high[i])) return false;

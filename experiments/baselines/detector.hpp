@@ -30,6 +30,7 @@ class Detector {
   virtual void skin() {}                                 // all vertices; detectors on demand leave it to the query
   virtual void refit() {}                                // all volumes, likewise
   virtual std::vector<TrianglePair> query(Query query) = 0;
+  virtual void forget() {}  // earlier frames; the next frame is the first of a sequence
   virtual DetectorCounts counts() const = 0;
 
   std::vector<TrianglePair> pairs(const ScenarioFrame& frame, Query kind) {

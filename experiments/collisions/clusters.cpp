@@ -19,6 +19,8 @@ class Clusters : public CountingDetector {
     second_.begin(frame.second, frame.second_at);
   }
 
+  void forget() override { memory_ = {}; }
+
   std::vector<TrianglePair> query(Query query) override { return collide(first_, second_, query, tests_, &memory_); }
 
  private:

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// These are the box of the bind pose, and that box scaled by a guess.
-//
-// Filament culls a renderable by the box that it was built with, and Unity a skinned renderer by its local bounds. Both stay
-// unless a program changes them. So they are those of the bind pose, or these made larger by hand until nothing seems to vanish.
+// These are the box of the bind pose, and a box scaled by a guess.
 #pragma once
 
 #include "algorithms/runtime/balls/box.hpp"

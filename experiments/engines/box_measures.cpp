@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace refitlab {
 
@@ -29,16 +30,20 @@ void BoxMeasures::add(double pose, const Box<double>& truth, const std::vector<B
       ++sum.unbounded;
       continue;
     }
-    sum.volume += ratio;
-    sum.area += area_of_box(boxes[m]) / area_of_box(truth);
-    sum.radius += boxes[m].edges().norm() / truth.edges().norm();
-    sum.greatest_volume = std::max(sum.greatest_volume, ratio);
-    sum.to_reference += volume / volume_of_box(boxes[reference_]);
+    if (volume_of_box(truth) > 0) {
+      sum.volume += ratio;
+      sum.area += area_of_box(boxes[m]) / area_of_box(truth);
+      sum.radius += boxes[m].edges().norm() / truth.edges().norm();
+      sum.greatest_volume = std::max(sum.greatest_volume, ratio);
+      sum.to_reference += volume / volume_of_box(boxes[reference_]);
+    } else {
+      ++sum.flat;
+    }
     const Verdict missed = by > error ? Verdict::holds : by < -error ? Verdict::fails : !decide(m);
     sum.undecided += missed == Verdict::undecided;
     sum.misses += missed == Verdict::holds;
-    if (const double share = by / truth.edges().maxCoeff(); missed == Verdict::holds && share > sum.missed_by)
-      sum.missed_by = share, sum.missed_at = pose;
+    const double share = by / std::max(truth.edges().maxCoeff(), std::numeric_limits<double>::min());
+    if (missed == Verdict::holds && share > sum.missed_by) sum.missed_by = share, sum.missed_at = pose;
   }
 }
 
@@ -46,7 +51,7 @@ std::vector<BoxMeasure> BoxMeasures::measures() const {
   std::vector<BoxMeasure> out = sums_;
   for (BoxMeasure& m : out)
     for (double* mean : {&m.volume, &m.area, &m.radius, &m.to_reference})
-      *mean /= static_cast<double>(std::max(1L, m.poses - m.unbounded));
+      *mean /= static_cast<double>(std::max(1L, m.with_ratios()));
   return out;
 }
 

@@ -17,12 +17,15 @@ struct BoxMeasure {
   std::string method;
   long poses = 0, misses = 0, undecided = 0;  // misses: poses in which a vertex is outside
   long unbounded = 0;                         // poses for which the method has no bound, which count for no ratio
+  long flat = 0;                              // others in which the true box has no volume, which count for none either
   double volume = 0, area = 0, radius = 0;    // mean ratios; radius: of the ball around the box
   double greatest_volume = 0;                 // ratio
   double to_reference = 0;                    // mean ratio to the reference method's volume
   // These say how far a vertex is outside at most, as a share of the true box's longest side, and the time or the number of the
   // pose.
   double missed_by = 0, missed_at = 0;
+
+  long with_ratios() const { return poses - unbounded - flat; }
 };
 
 inline double volume_of_box(const Box<double>& box) { return box.edges().prod(); }
@@ -41,7 +44,7 @@ class BoxMeasures {
   void add(double pose, const Box<double>& truth, const std::vector<Box<double>>& boxes, double error,
            const std::function<Verdict(std::size_t)>& decide);
 
-  // Returns the measures by method. Ratios are 0 if no pose has a bound.
+  // Returns the measures by method. Ratios are 0 where with_ratios() is.
   std::vector<BoxMeasure> measures() const;
 
  private:

@@ -19,11 +19,19 @@ std::vector<Point3> origins_of(const SkinnedMesh& mesh) {
   return origins;
 }
 
+std::vector<Box<double>> points(const std::vector<Point3>& at) {
+  std::vector<Box<double>> out;
+  for (const Point3& p : at) out.push_back({p, p});
+  return out;
+}
+
 }  // namespace
 
-std::vector<Pose> expected_poses(const Model& model) {
+std::vector<Pose> expected_poses(const Model& model, std::optional<std::size_t> left_out) {
   std::vector<Pose> poses;
-  for (const Clip& clip : model.clips) try {
+  for (std::size_t c = 0; c < model.clips.size(); ++c) try {
+      const Clip& clip = model.clips[c];
+      if (c == left_out) continue;
       for (int i = 0; i < expected_times; ++i) poses.push_back(clip.sample(clip.duration * i / (expected_times - 1)));
     } catch (const ModelError&) {
     }
@@ -31,14 +39,11 @@ std::vector<Pose> expected_poses(const Model& model) {
 }
 
 Box<double> with_room(Box<double> box) {
-  box.grow(ModelBoundsOptions{}.renderer_rounding * 2 * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff());
+  box.grow(ModelBoundsOptions{}.renderer_rounding * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff());
   return box_of<double>(rounded_outward(box));
 }
 
-void place_pivots(const SkinnedMesh& mesh, const Pose& pose, std::vector<Point3>& pivots) {
-  pivots.resize(pose.size());
-  for (std::size_t j = 0; j < pose.size(); ++j) pivots[j] = apply(pose[j], mesh.joints[j].origin);
-}
+Pose rest_pose(const Model& model) { return pose(model.skeleton, Animation{}, 0).pose; }
 
 const std::vector<EngineMethod>& PoseMethods::methods() {
   static const std::vector<EngineMethod> all = {{"joint_boxes", false},   {"padded_pivots", false}, {"all_skinned", false},
@@ -46,7 +51,11 @@ const std::vector<EngineMethod>& PoseMethods::methods() {
   return all;
 }
 
-JointVolumes::JointVolumes(const Model& model) : boxes(model), capsules(model), rounded_boxes(model, expected_poses(model)) {}
+JointVolumes::JointVolumes(const Model& model)
+    : boxes(model),
+      pivots(points(origins_of(model))),
+      capsules(model),
+      rounded_boxes(model, expected_poses(model)) {}
 
 PoseMethods::PoseMethods(const Model& model, const JointSets& sets, const JointVolumes& volumes, Skinning skinning)
     : model_(model),
@@ -64,8 +73,12 @@ Box<double> PoseMethods::box(std::size_t method, const Pose& pose) {
     case of_rounded_boxes: matrices_.set(pose); return box_of<double>(volumes_.rounded_boxes.box(matrices_));
     case of_motion_bound: return motion_bound_.box(pose, {});
     case of_all_skinned: return truth(pose);
-    default: place_pivots(model_, pose, pivots_); return padded_pivots<double>(pivots_, padding_);
+    default: break;
   }
+  matrices_.set(pose);
+  Box<double> box = box_of<double>(volumes_.pivots.box(matrices_));
+  box.grow(padding_);
+  return box;
 }
 
 std::vector<Box<double>> PoseMethods::boxes(const Pose& pose) {
@@ -76,7 +89,7 @@ std::vector<Box<double>> PoseMethods::boxes(const Pose& pose) {
 
 const std::vector<EngineMethod>& clip_methods() {
   static const std::vector<EngineMethod> all = [] {
-    std::vector<EngineMethod> names = {{"bind_box", false}, {"scaled_bind_box", false}};
+    std::vector<EngineMethod> names = {{"rest_box", false}, {"scaled_rest_box", false}};
     for (const SamplingWay& way : sampling_ways()) names.push_back({"sampled_union_" + way.name, false});
     names.push_back({"sampled_joint_boxes", false});
     return names;
@@ -90,7 +103,8 @@ std::vector<ClipBox> clip_boxes(const Model& model, const PlayedClip& clip, Pose
     for (const double time : sampled_times(way, clip.key_times)) box.merge(methods.box(method, clip.sample(time)));
     return box;
   };
-  std::vector<Box<double>> boxes = {bind_box(model), scaled(bind_box(model), guessed_scale)};
+  const Box<double> rest = methods.box(of_all_skinned, rest_pose(model));
+  std::vector<Box<double>> boxes = {rest, scaled(rest, guessed_scale)};
   for (const SamplingWay& way : sampling_ways()) boxes.push_back(merged(way, of_all_skinned));
   boxes.push_back(merged({"steps", 1 / seconds_a_step}, of_joint_boxes));
   std::vector<ClipBox> out;

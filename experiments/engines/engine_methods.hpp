@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,15 +26,15 @@ struct EngineMethod {
 // The joint boxes are the reference with which the others are compared.
 inline constexpr std::size_t reference_method = 0;
 
-// Returns poses of all clips, evenly spread from the first to the last of each.
-std::vector<Pose> expected_poses(const Model& model);
+// Returns poses of all clips, or of all but one, evenly spread from the first to the last of each.
+std::vector<Pose> expected_poses(const Model& model, std::optional<std::size_t> left_out = {});
 
 // JointVolumes are the volumes that joints carry. They are fitted once for all ways of skinning.
 struct JointVolumes {
   // The volumes are fitted for the expected poses.
   explicit JointVolumes(const Model& model);
 
-  JointBoxes boxes;
+  JointBoxes boxes, pivots;
   JointCapsules capsules;
   RoundedBoxes rounded_boxes;
 };
@@ -60,14 +61,13 @@ class PoseMethods {
   MotionBound motion_bound_;
   AllSkinned all_;
   double padding_;
-  std::vector<Point3> pivots_;
 };
 
 // Returns a box that is larger by a renderer's rounding (ModelBoundsOptions::renderer_rounding), rounded outward to floats.
 Box<double> with_room(Box<double> box);
 
-// Computes the joints' origins in a pose.
-void place_pivots(const SkinnedMesh& mesh, const Pose& pose, std::vector<Point3>& pivots);
+// Returns the pose in which the file's nodes leave the joints. model has keys (with_keys).
+Pose rest_pose(const Model& model);
 
 // A PlayedClip is a clip as it is played.
 struct PlayedClip {
@@ -80,9 +80,13 @@ struct ClipBox {
   Box<double> box;  // with room for a renderer's rounding
 };
 
-// Returns the boxes of a clip. They are that of the bind pose, that scaled by 2, those around sampled times
-// (experiments/over_time/sampled_boxes.hpp: flutter_scene takes the keys), and that of joint boxes at fixed steps, which
-// Babylon.js's computeMaxExtents merges. There, every vertex counts for each of its bones, whatever its weight.
+// Returns the boxes of a clip:
+// - that of the pose in which the file's nodes leave the joints, where the scene shows it. Filament culls a renderable by a box that it
+//   was built with, which stays unless a program changes it;
+// - that one made larger by hand, as until nothing seems to vanish: by 2;
+// - those around sampled times (experiments/over_time/sampled_boxes.hpp). flutter_scene takes the keys;
+// - that of joint boxes at fixed steps, which Babylon.js's computeMaxExtents merges. There, every vertex counts for each of its bones,
+//   whatever its weight.
 std::vector<ClipBox> clip_boxes(const Model& model, const PlayedClip& clip, PoseMethods& methods);
 // Returns the methods of these boxes, in this order.
 const std::vector<EngineMethod>& clip_methods();

@@ -40,6 +40,8 @@ class EngineExperiment {
         sets_(model),
         volumes_(model),
         settings_(settings) {
+    for (std::size_t c = 0; model.clips.size() > 1 && c < model.clips.size(); ++c)
+      of_other_clips_.emplace_back(model, expected_poses(model, c));
     result_.model = model.name;
     result_.vertices = static_cast<long>(model.vertices.size()), result_.joints = static_cast<long>(model.joints.size());
   }
@@ -47,7 +49,7 @@ class EngineExperiment {
   EngineResult run() {
     for (const Skinning skinning : compared_skinnings) {
       PoseMethods methods(model_, sets_, volumes_, skinning);
-      for (const Clip& clip : model_.clips) play(clip, skinning, methods);
+      for (std::size_t c = 0; c < model_.clips.size(); ++c) play(c, skinning, methods);
       twist(skinning, methods);
       measure_costs(skinning, methods);
     }
@@ -55,16 +57,22 @@ class EngineExperiment {
   }
 
  private:
-  void play(const Clip& clip, Skinning skinning, PoseMethods& methods) try {
+  void play(std::size_t number, Skinning skinning, PoseMethods& methods) try {
+    const Clip& clip = model_.clips[number];
     const PlayedClip played{key_times(clip.animation, most_keys), clip.sample};
     const std::vector<ClipBox> of_clip = clip_boxes(model_, played, methods);
     ExactPlaces exact(model_, clip.animation, skinning);
-    BoxMeasures measures(names_of_methods(true), reference_method);
+    std::vector<std::string> names = names_of_methods(true);
+    const RoundedBoxes* const unseen = of_other_clips_.empty() ? nullptr : &of_other_clips_[number];
+    if (unseen) names.push_back("rounded_boxes_of_other_clips");
+    JointMatrices matrices(model_.joints.size());
+    BoxMeasures measures(names, reference_method);
     for (int i = 0; i < settings_.times_per_clip; ++i) {
       const double time = clip.duration * i / std::max(1, settings_.times_per_clip - 1);
       const Pose pose = clip.sample(time);
       std::vector<Box<double>> boxes = methods.boxes(pose);
       for (const ClipBox& c : of_clip) boxes.push_back(c.box);
+      if (unseen) matrices.set(pose), boxes.push_back(with_room(box_of<double>(unseen->box(matrices))));
       const Box<double> truth = methods.truth(pose);
       // If places are closer to a wall than doubles can tell, 60 digits decide.
       measures.add(time, truth, boxes, error_of_places * size_of_place(truth), [&](std::size_t m) {
@@ -75,7 +83,7 @@ class EngineExperiment {
     }
     keep({clip.name, "clip", skinning, measures.measures()});
   } catch (const ModelError& e) {
-    if (skinning == compared_skinnings[0]) result_.refused.push_back("clip '" + clip.name + "': " + e.what());
+    if (skinning == compared_skinnings[0]) result_.refused.push_back("clip '" + model_.clips[number].name + "': " + e.what());
   }
 
   // Measures poses with each joint turned about its bone by up to nearly half a turn.
@@ -144,6 +152,7 @@ class EngineExperiment {
   const Model& model_;
   const JointSets sets_;
   const JointVolumes volumes_;
+  std::vector<RoundedBoxes> of_other_clips_;  // by clip: fitted to the others; none of a model of one clip
   const EngineSettings& settings_;
   EngineResult result_;
 };
@@ -176,13 +185,14 @@ void write_engines(const std::vector<EngineResult>& results, const std::string& 
         of_poses("undecided", static_cast<double>(m.undecided));
         of_poses("unbounded", static_cast<double>(m.unbounded));
         if (m.unbounded == m.poses) continue;
+        of_poses("missed_by", m.missed_by);
+        of_poses("missed_at", m.missed_at, p.kind == "clip" ? "s" : "1");
+        if (m.with_ratios() == 0) continue;
         of_poses("volume_ratio", m.volume);
         of_poses("area_ratio", m.area);
         of_poses("radius_ratio", m.radius);
         of_poses("greatest_volume_ratio", m.greatest_volume);
         of_poses("volume_to_joint_boxes", m.to_reference);
-        of_poses("missed_by", m.missed_by);
-        of_poses("missed_at", m.missed_at, p.kind == "clip" ? "s" : "1");
       }
     for (const EngineCost& c : r.costs) {
       const auto of_cost = [&](const char* quantity, double value, const char* unit) {

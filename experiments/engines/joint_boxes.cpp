@@ -3,12 +3,23 @@
 
 namespace refitlab {
 
-JointBoxes::JointBoxes(const SkinnedMesh& mesh)
-    : bind_(mesh.joints.size(), Box<double>::empty()),
-      numbers_(box_numbers, mesh.joints.size(), extent_of_nothing) {
-  const DefaultFloatEnvironment environment;
+namespace {
+
+std::vector<Box<double>> boxes_of_joints(const SkinnedMesh& mesh) {
+  std::vector<Box<double>> out(mesh.joints.size(), Box<double>::empty());
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    for (const Influence& influence : mesh.influences[v]) bind_[influence.joint].merge(mesh.vertices[v]);
+    for (const Influence& influence : mesh.influences[v]) out[influence.joint].merge(mesh.vertices[v]);
+  return out;
+}
+
+}  // namespace
+
+JointBoxes::JointBoxes(const SkinnedMesh& mesh) : JointBoxes(boxes_of_joints(mesh)) {}
+
+JointBoxes::JointBoxes(std::vector<Box<double>> bind)
+    : bind_(std::move(bind)),
+      numbers_(box_numbers, bind_.size(), extent_of_nothing) {
+  const DefaultFloatEnvironment environment;
   for (int number = 0; number < 3; ++number)
     for (int j = 0; j < numbers_.padded_count(); ++j) numbers_.at(number, j) = 0;
   for (std::size_t j = 0; j < bind_.size(); ++j) {

@@ -16,6 +16,8 @@ namespace refitlab {
 class JointBoxes {
  public:
   explicit JointBoxes(const SkinnedMesh& mesh);
+  // Carries these boxes, by joint.
+  explicit JointBoxes(std::vector<Box<double>> bind);
 
   // Returns the boxes by joint, in the bind pose. That of a joint that moves no vertex is empty.
   const std::vector<Box<double>>& bind() const { return bind_; }

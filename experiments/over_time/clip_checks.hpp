@@ -44,7 +44,7 @@ struct ClipResult {
   // does not say where they are.
   long exact_checks = 0, exact_misses = 0, exact_undecided = 0;
   // This is the volume of our box over that of a box around all places that were looked at. For clusters it is the mean over
-  // those that are not flat.
+  // those that are not flat. A whole that is flat has the ratio 1.
   double whole_ratio = 0, cluster_ratio = 0;
   long flat_clusters = 0;
   std::vector<ClipMisses> misses;  // by way

@@ -78,7 +78,7 @@ CrossfadeResult check_crossfade(const Model& model, const JointSets& sets, const
     result.out_of_both_clips += beyond(seen[p], of_clips) > error;
     const Box<double> box = seen[p].box();
     const double ratio = volume_of(box_of<double>(part.box)) / volume_of(box);
-    if (p == 0) result.whole_ratio = ratio;
+    if (p == 0) result.whole_ratio = is_flat(box) ? 1 : ratio;
     else if (is_flat(box)) ++result.flat_clusters;
     else sum += ratio, ++count;
   }

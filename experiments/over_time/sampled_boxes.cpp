@@ -23,7 +23,7 @@ std::vector<Box<float>> sampled_boxes(const WatchedClip& clip, const SamplingWay
   std::vector<Box<float>> boxes;
   for (const Extremes& found : clip.at(sampled_times(way, clip.key_times()))) {
     Box<double> box = found.box();
-    box.grow(ModelBoundsOptions{}.renderer_rounding * 2 * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff());
+    box.grow(ModelBoundsOptions{}.renderer_rounding * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff());
     boxes.push_back(rounded_outward(box));
   }
   return boxes;

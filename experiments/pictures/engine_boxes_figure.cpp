@@ -31,6 +31,7 @@ void draw_boxes_of(const Model& model, const Clip& clip, PictureTable& pictures)
   const std::vector<Box<double>> boxes = methods.boxes(pose);
   AllSkinned all(model, sets);
   const Box<double> truth = all.box(pose, Skinning::linear);
+  if (!(volume_of_box(truth) > 0)) return;  // of a flat model, whose boxes have no ratios
 
   auto framed = Box<double>::empty();
   render::Scene scene;

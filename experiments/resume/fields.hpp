@@ -157,8 +157,8 @@ inline auto fields(EngineSettings& v) {
   return std::tie(times, clips, speed);
 }
 inline auto fields(BoxMeasure& v) {
-  auto& [method, poses, misses, undecided, unbounded, volume, area, radius, greatest, to_reference, by, at] = v;
-  return std::tie(method, poses, misses, undecided, unbounded, volume, area, radius, greatest, to_reference, by, at);
+  auto& [method, poses, misses, undecided, unbounded, flat, volume, area, radius, greatest, to_reference, by, at] = v;
+  return std::tie(method, poses, misses, undecided, unbounded, flat, volume, area, radius, greatest, to_reference, by, at);
 }
 inline auto fields(EnginePoses& v) {
   auto& [name, kind, skinning, measures] = v;

@@ -19,12 +19,16 @@ template <>
 struct NumberTraits<Interval> {
   static Interval square(const Interval& x) { return CGAL::square(x); }
   static Interval sqrt(const Interval& x) { return CGAL::sqrt(x); }
-  static Interval max(const Interval& a, const Interval& b) { return {std::max(a.inf(), b.inf()), std::max(a.sup(), b.sup())}; }
-  static Interval min(const Interval& a, const Interval& b) { return {std::min(a.inf(), b.inf()), std::min(a.sup(), b.sup())}; }
+  static Interval max(const Interval& a, const Interval& b) { return {greater(a.inf(), b.inf()), greater(a.sup(), b.sup())}; }
+  static Interval min(const Interval& a, const Interval& b) { return -max(-a, -b); }
   static Verdict less_equal(const Interval& a, const Interval& b) { return verdict_of(a <= b); }
   static Verdict less(const Interval& a, const Interval& b) { return verdict_of(a < b); }
   static Verdict equal(const Interval& a, const Interval& b) { return verdict_of(a == b); }
   static bool prefer_less(const Interval& a, const Interval& b) { return a.inf() + a.sup() < b.inf() + b.sup(); }
+
+ private:
+  // Returns no number if one of both is none.
+  static double greater(double x, double y) { return x < y ? y : y <= x ? x : x + y; }
 };
 
 }  // namespace refitlab

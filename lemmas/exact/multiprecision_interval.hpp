@@ -35,13 +35,13 @@ struct NumberTraits<MultiprecisionInterval> {
     S y;
     mpfr_max(low(y), low(a), low(b), MPFR_RNDD);
     mpfr_max(high(y), high(a), high(b), MPFR_RNDU);
-    return y;
+    return if_numbers(a, b, y);
   }
   static S min(const S& a, const S& b) {
     S y;
     mpfr_min(low(y), low(a), low(b), MPFR_RNDD);
     mpfr_min(high(y), high(a), high(b), MPFR_RNDU);
-    return y;
+    return if_numbers(a, b, y);
   }
   static Verdict less_equal(const S& a, const S& b) {
     return mpfr_lessequal_p(high(a), low(b)) ? Verdict::holds
@@ -53,6 +53,12 @@ struct NumberTraits<MultiprecisionInterval> {
   static bool prefer_less(const S& a, const S& b) { return median(a) < median(b); }
 
  private:
+  // Returns no number if one of both is none, of which mpfr_max and mpfr_min would return the other.
+  static S if_numbers(const S& a, const S& b, S y) {
+    for (const S* x : {&a, &b})
+      if (mpfr_nan_p(low(*x)) || mpfr_nan_p(high(*x))) mpfr_set_nan(low(y)), mpfr_set_nan(high(y));
+    return y;
+  }
   static mpfr_ptr low(S& x) { return &x.backend().data()->left; }
   static mpfr_ptr high(S& x) { return &x.backend().data()->right; }
   static mpfr_srcptr low(const S& x) { return &x.backend().data()->left; }

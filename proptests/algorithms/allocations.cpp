@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/oracles/allocations.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <random>
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "proptests/gen/random_pose.hpp"
+#include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_allocations {
@@ -23,9 +27,47 @@ Pose step(const AnimatedCharacter& c, int frame, double share) {
   return walk.sample(std::fmod(frame / static_cast<double>(frames) + share, 1.0) * walk.duration);
 }
 
+// Two bodies that overlap, and queries of which one allocation fails. Returns how many queries failed; -1 if one of them, asked again in the
+// same frame, did not find the pairs that it should.
+long failed_queries(const ClusterTree& tree, Skinning skinning, const Pose& pose) {
+  const RigidTransform<double> beside{identity_quaternion<double>(), {0.125, 0.0625, 0.03125}};
+  std::vector<TrianglePair> expected;
+  for (long after = -1;; ++after) {
+    ClusterBody a(tree, skinning), b(tree, skinning);
+    a.begin(pose, {}), b.begin(pose, beside);
+    QueryCounts counts;
+    bool has_failed = false;
+    if (after >= 0) try {
+        const oracle::FailingAllocation failing(after);
+        collide(a, b, Query::full, counts);
+      } catch (const std::bad_alloc&) {
+        has_failed = true;
+      }
+    std::vector<TrianglePair> found = collide(a, b, Query::full, counts);
+    std::sort(found.begin(), found.end());
+    if (after < 0) expected = found;
+    if (found != expected || expected.empty()) return -1;
+    if (after >= 0 && !has_failed) return after;
+  }
+}
+
 }  // namespace
 
 PROPTEST(allocations) {
+  if (oracle::allocations_can_fail)
+    t.example("a query that runs out of memory at any allocation finds all pairs when it is asked again in the frame", {}, [] {
+      const auto c = bake(gen::make_mesh({gen::MeshKind::many_influences, 6, 6, 4, 2006}));
+      const ClusterTree tree(c, {.most_triangles = 4});
+      std::mt19937 random(2006);
+      const Pose pose = gen::random_pose(c.mesh, random);
+      long failed = 0;
+      for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+        const long of_skinning = failed_queries(tree, skinning, pose);
+        if (of_skinning < 20) return Checked(false, failed, std::to_string(of_skinning));
+        failed += of_skinning;
+      }
+      return Checked(true, failed);
+    });
   t.example("the counter sees what a container and an aligned object take", {.number_type = "heap"}, [] {
     struct alignas(64) Wide {
       char of[64];

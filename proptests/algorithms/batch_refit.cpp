@@ -13,6 +13,7 @@
 #include "algorithms/verification/exact_skin.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/opposite_joints.hpp"
+#include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/wide_models.hpp"
 #include "proptests/harness.hpp"
@@ -360,9 +361,61 @@ void many_joints_and_great_lengths(Suite& t) {
       });
 }
 
+// Repeats the first weight vertex of all joint-sets of one or two joints. The hull is the same.
+SphereTree with_repeated_weight_vertices(SphereTree tree, const JointSets& sets) {
+  std::vector<double> weights;
+  for (NodePiece& piece : tree.pieces) {
+    const std::size_t joints = sets.joints(piece.joint_set).size();
+    const auto from = tree.weight_vertices.begin() + piece.first_weight;
+    const auto count = static_cast<std::ptrdiff_t>(joints) * piece.weight_vertex_count;
+    piece.first_weight = static_cast<int>(weights.size());
+    if (joints <= 2) weights.insert(weights.end(), from, from + static_cast<std::ptrdiff_t>(joints)), ++piece.weight_vertex_count;
+    weights.insert(weights.end(), from, from + count);
+  }
+  tree.weight_vertices = std::move(weights);
+  return tree;
+}
+
+void more_weight_vertices_than_joints(Suite& t) {
+  t.example("one or two joints may have more weight vertices than joints: balls hold all vertices, by every target", {}, [] {
+    Model man = make_man(400);
+    const JointSets sets(man);
+    const SphereTree tree = with_repeated_weight_vertices(build_sphere_tree(man, sets), sets);
+    const NodeVertices vertices(tree, man);
+    BatchRefit batch(tree, sets);
+    long tried = 0, missed = 0;
+    for (unsigned seed = 0; seed < 4; ++seed)
+      for (const Skinning skinning : {Skinning::spherical, Skinning::linear}) {
+        const Pose pose = random_pose(man, seed, 3, 0);
+        const auto palette = make_skinning_palette(man, sets, pose, skinning);
+        const auto deformed = skin(man, sets, palette, skinning);
+        for (const Target target : available_targets()) {
+          const PackedBalls& balls =
+              skinning == Skinning::linear ? batch.linear(palette, target) : batch.spherical(palette, target);
+          for (int n = 0; n < static_cast<int>(tree.nodes.size()); ++n)
+            for (const int v : vertices[n]) {
+              const Ball3<float> ball = balls[n];
+              ++tried, missed += !(norm<double, 3>(deformed[v] - ball.center.cast<double>()) <= ball.radius);
+            }
+        }
+      }
+    return Checked(missed == 0, tried, std::to_string(missed) + " are outside");
+  });
+  t.example("a palette of affine joints is refitted linearly alone", {}, [] {
+    const SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1});
+    const JointSets sets(mesh);
+    const SphereTree tree = build_sphere_tree(mesh, sets);
+    BatchRefit batch(tree, sets);
+    const auto palette = make_skinning_palette(mesh, sets, AffinePose(mesh.joints.size(), identity_map<double>()));
+    batch.linear(palette);
+    return gen::refuses<std::invalid_argument>([&] { batch.spherical(palette); });
+  });
+}
+
 }  // namespace
 
 PROPTEST(batch_refit) {
+  more_weight_vertices_than_joints(t);
   the_slack_holds_what_floats_lose(t);
   hard_cases_miss_no_vertex(t);
   many_joints_and_great_lengths(t);

@@ -257,7 +257,8 @@ void bounds_hold_and_converge(Suite& t) {
         for (int part = 0; part < scene.joints().part_count(); ++part)
           for (int i = 0; i < 64; ++i) {
             const double step = (times[part + 1] - times[part]) / 64, start = times[part] + i * step;
-            if (!std::isfinite(scene.vertices().slack(scene.joints().cell(part, start, start + step), false).chord)) return;
+            if (!std::isfinite(scene.vertices().slack(scene.joints().cell(part, start, start + step), Finite::may_be).chord))
+              return;
           }
         RC_TAG("compared");
         const BoundOverTime bound = scene.bound(tolerance);

@@ -44,6 +44,21 @@ struct Fault {
 
 PieceTable& mixed(Character& c) { return c.pieces[static_cast<std::size_t>(Pieces::mixed)]; }
 
+// Puts nodes with all triangles above the root, so that it is below so many others.
+void deepen(Character& c, int levels) {
+  std::vector<TreeNode> nodes;
+  for (int level = 1; level <= levels; ++level) {
+    TreeNode above = c.tree.nodes[0];
+    above.parent = level - 2, above.first_child = level, above.child_count = 1, above.level = level;
+    nodes.push_back(above);
+  }
+  for (TreeNode node : c.tree.nodes) {
+    node.parent += levels, node.first_child += levels, node.level += levels;
+    nodes.push_back(node);
+  }
+  c.tree.nodes = std::move(nodes);
+}
+
 std::vector<Fault> faults() {
   const auto node = [](auto change) { return [=](Character& c) { change(c.tree.nodes); }; };
   return {
@@ -57,6 +72,11 @@ std::vector<Fault> faults() {
       {"does not have all triangles", node([](auto& n) { --n[0].triangle_count; })},
       {"its ball is none", node([](auto& n) { n[2].reference.radius = -1; })},
       {"its ball is none", node([](auto& n) { n[2].reference.center[0] = INFINITY; })},
+      {"its ball is none", node([](auto& n) { n[2].reference.center[0] = std::nan(""); })},
+      {"its ball is none", node([](auto& n) { n[2].reference.center[1] = std::nan(""); })},
+      {"its ball is none", node([](auto& n) { n[2].reference.center[2] = std::nan(""); })},
+      {"its ball is none", node([](auto& n) { n[2].reference.radius = std::nan(""); })},
+      {"is below more than 63 others", [](Character& c) { deepen(c, 63); }},
       {"not part of its parent's", node([](auto& n) { n.back().triangle_count = 1 << 30; })},
       {"less than no children", node([](auto& n) { n.back().child_count = -1; })},
       {"not those that follow", node([](auto& n) { n[0].first_child = 0; })},
@@ -79,6 +99,7 @@ std::vector<Fault> faults() {
       {"order of the nodes", [](Character& c) { mixed(c).first[1] = 1 << 30; }},
       {"missing for a node", [](Character& c) { mixed(c).first[1] = mixed(c).first[0]; }},
       {"have a ball that is none", [](Character& c) { mixed(c).references.back().radius = -1; }},
+      {"have a ball that is none", [](Character& c) { mixed(c).references.back().center[1] = std::nan(""); }},
       {"name a ball out of range", [](Character& c) { mixed(c).pieces[0].reference = 1 << 30; }},
       {"one names a joint-set", [](Character& c) { mixed(c).pieces[0].joint_set = -1; }},
       {"one has a weight vertex", [](Character& c) { mixed(c).weight_vertices[0] = 2; }},

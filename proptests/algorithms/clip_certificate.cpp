@@ -3,6 +3,7 @@
 // false of the file, or not proven.
 #include "algorithms/program/clip_certificate.hpp"
 
+#include <cstring>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -237,9 +238,9 @@ std::vector<Forgery> forged_parts() {
 
 std::vector<Forgery> forged_clips_and_members() {
   return {
-      {"the clip is left out", "that the certificate has not", [](json& d) { d["clips"].erase(0); }},
-      {"the rest pose is left out", "that the certificate has not", [](json& d) { d["clips"].erase(1); }},
-      {"the clip is taken for the rest pose", "that the certificate has not",
+      {"the clip is left out", "not about the rest pose and each animation", [](json& d) { d["clips"].erase(0); }},
+      {"the rest pose is left out", "not about the rest pose and each animation", [](json& d) { d["clips"].erase(1); }},
+      {"the clip is taken for the rest pose", "not about the rest pose and each animation",
        [](json& d) { d["clips"].erase(1), d["clips"][0]["animation"] = -1; }},
       {"the clip and the rest pose are exchanged", "implies",
        [](json& d) { d["clips"][0]["animation"] = -1, d["clips"][1]["animation"] = 0; }},
@@ -379,6 +380,10 @@ void change_bounds_of_the_file(const Expect& expect) {
            in_description([&](json& d) { smaller(d[owners][0]["extras"]["refitlab"]); }));
     expect(std::string("a slab of ") + owners, "is not what the certificate implies",
            in_description([&](json& d) { flatter(d[owners][0]["extras"]["refitlab"]); }));
+    expect(std::string("skinning of ") + owners, "is not of version 1 and linear skinning",
+           in_description([&](json& d) { d[owners][0]["extras"]["refitlab"]["skinning"] = "dual-quaternion"; }));
+    expect(std::string("version of ") + owners, "is not of version 1 and linear skinning",
+           in_description([&](json& d) { d[owners][0]["extras"]["refitlab"]["version"] = 2; }));
     expect(std::string("directions of ") + owners, "other directions", in_description([&](json& d) {
              d[owners][0]["extras"]["refitlab"]["directions"][2] = {1, 0, 1};
            }));
@@ -386,6 +391,8 @@ void change_bounds_of_the_file(const Expect& expect) {
   for (const char* parts : {"skins", "meshes", "primitives"})
     expect(std::string("a box of an animation's ") + parts, "is not what the certificate implies",
            in_description([&](json& d) { narrower(d["animations"][0]["extras"]["refitlab"][parts][0]); }));
+  expect("skinning of a primitive", "is not of version 1 and linear skinning",
+         in_description([](json& d) { d["meshes"][0]["primitives"][0]["extras"]["refitlab"]["skinning"] = "spherical"; }));
   expect("a box of a primitive", "is not what the certificate implies",
          in_description([&](json& d) { narrower(d["meshes"][0]["primitives"][0]["extras"]["refitlab"]); }));
 }
@@ -411,6 +418,15 @@ void change_clusters_of_the_file(const Expect& expect) {
 }
 
 void change_what_moves(const Expect& expect) {
+  expect("a channel of a pointer", "a channel moves what a pointer names", in_description([](json& d) {
+           json& target = d["animations"][0]["channels"][0]["target"];
+           target.erase("node");
+           target["extensions"]["KHR_animation_pointer"] = {{"pointer", "/nodes/0/scale"}};
+         }));
+  expect("instances", "a node is shown in many places", in_description([](json& d) {
+           for (json& node : d["nodes"])
+             if (node.contains("mesh")) node["extensions"]["EXT_mesh_gpu_instancing"] = {{"attributes", json::object()}};
+         }));
   expect("the times of keys", "", in_description([](json& d) { d["asset"]["generator"] = "another"; }));
   expect("a node", "part 0", in_description([](json& d) {
            for (json& node : d["nodes"])
@@ -635,6 +651,63 @@ void slacks_of_bounds(Suite& t) {
   });
 }
 
+// A file of one triangle, at the first three of these points, with a morph target for each three others.
+std::string file_of_triangle(json node, const std::vector<float>& numbers) {
+  std::string bytes(numbers.size() * sizeof(float), '\0');
+  std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  json description = {{"asset", {{"version", "2.0"}}},
+                      {"scene", 0},
+                      {"scenes", {{{"nodes", {0}}}}},
+                      {"buffers", {{{"byteLength", bytes.size()}}}}};
+  json primitive = {{"attributes", {{"POSITION", 0}}}};
+  for (std::size_t i = 0; 9 * i < numbers.size(); ++i) {
+    description["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 36 * i}, {"byteLength", 36}});
+    description["accessors"].push_back({{"bufferView", i}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}});
+    if (i > 0) primitive["targets"].push_back({{"POSITION", i}});
+  }
+  node["mesh"] = 0;
+  description["nodes"] = json::array({node});
+  description["meshes"] = json::array({{{"primitives", json::array({primitive})}}});
+  return glb_of({{json_chunk, description.dump()}, {bin_chunk, bytes}}, "triangle.glb");
+}
+
+void numbers_that_underflow(Suite& t) {
+  t.example("what underflows in doubles, and a matrix or nothing enlarges, is not lost", {}, [] {
+    Certified certified(gltf_bytes(growing_arm()));
+    const auto verdict_of = [&](const std::string& bytes, double side, double radius) {
+      const json still = {{0, 0, 0}};
+      const json bound = {{"ball", {0, 0, 0, radius}},
+                          {"ball_intervals", still},
+                          {"box", {-side, -side, -side, side, side, side}},
+                          {"box_intervals", still},
+                          {"slabs", json::array()}};
+      certified.document = {{"clips", {{{"animation", -1}, {"bounds", json::array({bound})}, {"duration", 0}}}},
+                            {"directions", json::array()},
+                            {"file", ""},
+                            {"parts", {{{{"kind", "whole"}}}}},
+                            {"skinning", "linear"},
+                            {"version", 2}};
+      return certified.judged_against(bytes);
+    };
+    const std::vector<float> axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    Verdicts verdicts;
+    const std::string tiny = file_of_triangle({{"scale", {1e-165, 1e-165, 1e-165}}}, axes);
+    verdicts.expect("a ball of 1e-179 around what is 1e-165 away", "a vertex may leave its ball",
+                    verdict_of(tiny, 1e-164, 1e-179));
+    verdicts.expect("a ball of 1e-160", "", verdict_of(tiny, 1e-164, 1e-160));
+    // Each displacement times its weight is 2e-324, and all of them are enlarged to 1.3e-15.
+    constexpr int targets = 64;
+    std::vector<float> moved(9, 0);
+    for (int k = 0; k < targets; ++k)
+      for (const float x : axes) moved.push_back(1e-37f * x);
+    const std::string enlarged =
+        file_of_triangle({{"scale", {1e307, 1e307, 1e307}}, {"weights", std::vector<double>(targets, 2e-287)}}, moved);
+    verdicts.expect("a box of 2e-16 around what is 1.3e-15 away", "a vertex may leave its ", verdict_of(enlarged, 2e-16, 2e-16));
+    verdicts.expect("a box of 1e-13", "", verdict_of(enlarged, 1e-13, 1e-13));
+    return verdicts.checked();
+  });
+}
+
 void certificates_are_of_the_file(Suite& t) {
   t.example("a certificate is of the file: what moves, what is bound and what the file says of it", {}, [] {
     Certified certified(gen::RichGltf(true, true).file.binary_file());
@@ -768,6 +841,7 @@ void half_turns_intervals_and_what_is_no_certificate(Suite& t) {
 PROPTEST(clip_certificate) {
   bounds_that_leave_something_out_are_rejected(t);
   slacks_of_bounds(t);
+  numbers_that_underflow(t);
   certificates_are_of_the_file(t);
   half_turns_intervals_and_what_is_no_certificate(t);
   t.holds("certificates of random models are accepted, and rejected if a bound leaves out a vertex that is seen",

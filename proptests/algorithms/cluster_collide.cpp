@@ -11,6 +11,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
+#include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
@@ -333,7 +334,10 @@ void what_is_counted(Suite& t) {
         ok = ok && counts_at(0.5, Query::full, &memory) == near && first.nodes_bounded() == 1 && first.clusters_skinned() == 1 &&
              first.vertices_skinned() == 16 && second.vertices_skinned() == 16;
         ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 0;
-        return Checked(ok, 6);
+        // Apart, and in contact again, as a remembered pair tells alone.
+        ok = ok && counts_at(9, Query::yes_no, &memory).second == 1 && !memory.are_touching && !memory.are_near;
+        ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && memory.are_touching && memory.are_near;
+        return Checked(ok, 8);
       });
   t.example("a body counts the nodes that it bounds, and the clusters and vertices that it skins, each once a frame", {}, [] {
     const auto man = bake(make_man());
@@ -549,6 +553,31 @@ void pairs_that_touch_and_pairs_that_are_remembered(Suite& t) {
 }
 
 void what_is_refused(Suite& t) {
+  t.example("a body that has begun no frame is refused by name, and what a memory of other bodies remembers is passed over", {},
+            [] {
+              const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
+              const ClusterTree tree(c);
+              const Pose still = reference_pose(c.mesh);
+              bool ok = true;
+              for (const Skinning skinning : {Skinning::spherical, Skinning::linear, Skinning::dual_quaternion}) {
+                ClusterBody a(tree, skinning), b(tree, skinning);
+                QueryCounts counts;
+                const auto is_refused = [&](const auto& call) { return gen::refuses<std::logic_error>(call); };
+                ok = ok && is_refused([&] { collide(a, b, Query::full, counts); }) && is_refused([&] { a.wide_node_box(0); }) &&
+                     is_refused([&] { a.clusters().cluster(0); }) && is_refused([&] { a.triangle(0); }) &&
+                     is_refused([&] { a.clusters().padded_vertex(0, 0); }) &&
+                     is_refused([&] { a.clusters().make_all_palettes(); }) && is_refused([&] { a.clusters().whole_palette(); });
+                a.begin(still, {});
+                ok = ok && is_refused([&] { collide(a, b, Query::full, counts); });
+                b.begin(still, {});
+                PairMemory memory;
+                const auto count = static_cast<int>(c.mesh.triangles.size());
+                for (const TrianglePair& pair : {TrianglePair{count, 0}, {0, count}, {-1, 0}, {0, 1 << 30}})
+                  memory.remember(pair);
+                ok = ok && collide(a, b, Query::yes_no, counts, &memory).size() == 1;
+              }
+              return Checked(ok, 27);
+            });
   t.example("options out of range, a placement that is not rigid and a pose with a NaN are refused by name", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
     const auto message = [](const auto& call) -> std::string {

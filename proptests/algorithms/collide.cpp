@@ -11,6 +11,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
+#include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
@@ -46,6 +47,13 @@ SkinnedMesh lone_triangle() {
   return m;
 }
 
+// How many balls were refitted in this frame.
+long balls_of(const Body& body) {
+  long balls = 0;
+  for (const long level : body.refits().refitted_by_level()) balls += level;
+  return balls;
+}
+
 // What collide says of two men, and what it looked at.
 struct Men {
   std::size_t pairs;
@@ -60,10 +68,7 @@ Men two_men(const char* variant, double distance, Query query) {
   b.begin(walk.sample(0.7 * walk.duration));
   QueryCounts counts;
   const auto pairs = collide({a}, {b, {identity_quaternion<double>(), {distance, 0, 0}}}, query, counts);
-  long balls = 0;
-  for (const Body* body : {&a, &b})
-    for (const long level : body->refits().refitted_by_level()) balls += level;
-  return {pairs.size(), counts.ball_tests, a.vertices_skinned() + b.vertices_skinned(), balls};
+  return {pairs.size(), counts.ball_tests, a.vertices_skinned() + b.vertices_skinned(), balls_of(a) + balls_of(b)};
 }
 
 void pairs_are_those_of_testing_all(Suite& t) {
@@ -156,6 +161,29 @@ void balls_that_are_apart_cost_one_test(Suite& t) {
                        std::to_string(deep.pairs) + " pairs, " + std::to_string(first.balls) + " for the first one");
   });
   t.example(
+      "the larger of two nodes is opened: of a man of two centimetres in front of another, only the root's ball is refitted", {},
+      [] {
+        const auto man = bake(make_man());
+        SkinnedMesh small = make_man();
+        for (Point3& v : small.vertices) v *= 0.01;
+        for (Joint& joint : small.joints) joint.origin *= 0.01;
+        const auto figure = bake(std::move(small));
+        const RefitVariant& variant = compared_variant("spherical_repaired");
+        Body large(man, variant), in_front(figure, variant);
+        bool ok = true;
+        std::string text;
+        for (const bool large_first : {true, false}) {
+          large.begin(reference_pose(man.mesh)), in_front.begin(reference_pose(figure.mesh));
+          const PlacedBody there{large}, here{in_front, {identity_quaternion<double>(), {0, 1, 0.5}}};
+          QueryCounts counts;
+          const bool is_apart =
+              (large_first ? collide(there, here, Query::full, counts) : collide(here, there, Query::full, counts)).empty();
+          ok = ok && is_apart && balls_of(in_front) == 1 && balls_of(large) > 1 && counts.triangle_tests == 0;
+          text += std::to_string(balls_of(large)) + " balls of the large one; ";
+        }
+        return Checked(ok, 2, text);
+      });
+  t.example(
       "balls that are apart by 1e-12 of their size are found apart by one test, at every scale at which balls are larger than "
       "what underflows",
       {}, [] {
@@ -195,6 +223,18 @@ PROPTEST(collide) {
   });
   triangles_that_touch_where_balls_do(t);
   balls_that_are_apart_cost_one_test(t);
+  t.example("a body that has begun no frame is refused by name, and none is copied", {}, [] {
+    static_assert(!std::is_copy_constructible_v<Body> && !std::is_move_constructible_v<Body>);
+    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
+    Body begun(c, compared_variant("spherical_repaired")), other(c, compared_variant("spherical_repaired"));
+    begun.begin(reference_pose(c.mesh));
+    QueryCounts counts;
+    const auto is_refused = [](const auto& call) { return gen::refuses<std::logic_error>(call); };
+    return Checked(is_refused([&] { collide({begun}, {other}, Query::full, counts); }) &&
+                       is_refused([&] { collide({other}, {begun}, Query::full, counts); }) &&
+                       is_refused([&] { other.triangle(0); }) && is_refused([&] { other.ball(0); }),
+                   4);
+  });
   t.example("a placement that is not rigid, or not finite, and a pose with a NaN are refused by name", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
     Body body(c, compared_variant("spherical_repaired"));

@@ -69,7 +69,7 @@ ParameterBox some_box(const CrossfadedJoints& joints, const MovingVertices& movi
   ParameterBox box = joints.boxes()[0];
   const int halvings = static_cast<int>(random() % 30);
   for (int i = 0; i < halvings; ++i) {
-    const CellSlack slack = moving.slack(joints.cell(box), false);
+    const CellSlack slack = moving.slack(joints.cell(box), Finite::may_be);
     std::size_t parameter = random() % 3;
     if (random() % 2 == 0)
       parameter = static_cast<std::size_t>(std::max_element(slack.chords.begin(), slack.chords.end()) - slack.chords.begin());
@@ -401,7 +401,7 @@ PROPTEST(crossfaded_joints) {
               for (int i = 0; i < 4; ++i) {
                 const ParameterBox box = some_box(joints, moving, random);
                 const JointCell cell = joints.cell(box);
-                CellSlack slack = moving.slack(cell, false);
+                CellSlack slack = moving.slack(cell, Finite::may_be);
                 if (!std::isfinite(slack.chord)) {
                   RC_TAG("not known");
                   continue;

@@ -143,6 +143,24 @@ PROPTEST(crowd) {
                              counts.queries.ball_tests == 11 + one_by_one.ball_tests &&
                              counts.queries.triangle_tests == 13 + one_by_one.triangle_tests);
             });
+  t.example("a body that is listed twice, and one that is not there, are refused by their places", {}, [] {
+    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
+    const ClusterTree tree(c);
+    ClusterBody a(tree, Skinning::linear), b(tree, Skinning::linear);
+    for (ClusterBody* body : {&a, &b}) body->begin(reference_pose(c.mesh), {});
+    const auto refusal = [](std::vector<ClusterBody*> bodies) -> std::string {
+      CrowdCounts counts;
+      try {
+        collide_all(bodies, Query::full, counts);
+      } catch (const std::invalid_argument& e) {
+        return e.what();
+      }
+      return "";
+    };
+    return Checked(refusal({&b, &a}).empty() && refusal({&a, &b, &a}) == "collide_all: body 2 is body 0 again" &&
+                       refusal({&b, nullptr}) == "collide_all: body 1 is null",
+                   3);
+  });
   t.example("workers that take the tasks in another order find the same contacts", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
     const ClusterTree tree(c);

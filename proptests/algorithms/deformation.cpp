@@ -10,6 +10,7 @@
 #include "algorithms/verification/exact_skin.hpp"
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
+#include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
@@ -152,6 +153,17 @@ void affine_joints_are_skinned_linearly(Suite& t) {
 }  // namespace
 
 PROPTEST(deformation) {
+  t.example("a palette of affine joints is skinned linearly alone, and other skinning is refused", {}, [] {
+    const SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1});
+    const JointSets sets(mesh);
+    AffinePose moved(mesh.joints.size(), identity_map<double>());
+    for (auto& joint : moved) joint.offset = {100, 0, 0};
+    const auto palette = make_skinning_palette(mesh, sets, moved);
+    bool ok = skin(mesh, sets, palette, Skinning::linear)[0][0] > 50;
+    for (const Skinning skinning : {Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion})
+      ok = ok && gen::refuses<std::invalid_argument>([&] { skin(mesh, sets, palette, skinning); });
+    return Checked(ok, 4);
+  });
   decomposed_joints_and_deformed_vertices(t);
   affine_joints_are_skinned_linearly(t);
   t.example("what is out of range or of another number is refused by name", {}, [] {
@@ -169,8 +181,9 @@ PROPTEST(deformation) {
            says({{}, huge}, "its matrix is out of range") && says({{}, undefined}, "is not finite") &&
            says({{}, far}, "its translation is out of range") && says({{}, few}, "transforms for 2 joints") &&
            says({{1}, {}}, "has 1 weights for 2 morph targets") &&
-           says({{1, std::nan("")}, {}}, "weights of morph targets are out of range") &&
-           says({{-6e3, 6e3}, {}}, "weights of morph targets are out of range");
+           says({{1, std::nan("")}, {}}, "its weight of morph target 1 is not finite") &&
+           says({{-INFINITY, 1}, {}}, "its weight of morph target 0 is not finite") &&
+           says({{-6e3, 6e3}, {}}, "weights of morph targets sum to more than 1e4");
   });
 }
 

@@ -11,6 +11,7 @@
 #include "algorithms/certificate/certificate.hpp"
 #include "algorithms/certificate/documents.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
+#include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/collide.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/verification/exact_skin.hpp"
@@ -340,6 +341,19 @@ void what_a_deformation_keeps_and_refuses(Suite& t) {
     linear.begin(palette);
     return is_refused([&] { DeformedReference(c, Pieces::many); }) && is_refused([&] { spherical.begin(palette); }) &&
            !is_refused([&] { DeformedReference(c, Pieces::mixed); });
+  });
+  t.example("nor are all balls refitted at once by such a palette, or by one that is not measured", {}, [] {
+    const Character c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
+    const auto affine = make_skinning_palette(c.mesh, c.sets, AffinePose(c.mesh.joints.size(), identity_map<double>()));
+    SkinningPalette<double> by_hand;
+    PalettePacks(c.mesh, c.sets, Skinning::spherical).make(reference_pose(c.mesh), by_hand);
+    const auto is_refused = [&](const char* variant, const SkinningPalette<double>& palette) {
+      return gen::refuses<std::invalid_argument>([&] { refit_all(c, refit_variant(variant), palette); });
+    };
+    bool ok = is_refused("control_mixed", affine) && is_refused("control_mixed", by_hand);
+    ok = ok && refit_all(c, refit_variant("linear"), affine).size() == c.tree.nodes.size();
+    by_hand.measure();
+    return Checked(ok && !is_refused("control_mixed", by_hand), 4);
   });
   t.example("a deformation that is the last one again keeps the balls, and another one does not", {}, [] {
     SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 6, 6, 3, 1});

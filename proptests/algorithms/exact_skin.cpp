@@ -98,6 +98,9 @@ void check_boxes(Skinned& s, int v) {
   RC_ASSERT(!s.exact.is_in(beside, v));
   beside.low[axis] = NAN;
   RC_ASSERT(!s.exact.is_in(beside, v));
+  beside = Box<double>::everything();
+  beside.high[axis] = NAN;
+  RC_ASSERT(!s.exact.is_in(beside, v));
 }
 
 }  // namespace

@@ -107,6 +107,10 @@ std::vector<Change> refused_descriptions() {
          channel(g, 1)["target"]["extensions"]["KHR_animation_pointer"] = {{"pointer", "/nodes/0/scale"}};
        },
        "clip 0, channel 1: moves what KHR_animation_pointer says, which is not read"},
+      {[](json& g) {
+         g["nodes"][3]["extensions"]["EXT_mesh_gpu_instancing"] = {{"attributes", json::object()}};
+       },
+       "node 3: is shown in the places of EXT_mesh_gpu_instancing, which is not read"},
       {[](json& g) { channel(g, 1).erase("target"); }, "clip 0, channel 1: has no target"},
       {[](json& g) {
          g["buffers"].push_back({{"byteLength", 4}});
@@ -233,7 +237,6 @@ std::vector<Change> refused_nodes() {
 }
 std::vector<Change> refused_meshes() {
   return {
-      {[](json& g) { primitive(g)["attributes"].erase("POSITION"); }, "mesh 0: has no positions"},
       {[](json& g) { attribute_accessor(g, "POSITION")["count"] = 0; }, "mesh 0: is empty"},
       {[](json& g) { g["accessors"][std::size_t(primitive(g)["indices"])]["count"] = 143; },
        "mesh 0: its triangles have 143 indices in all"},
@@ -539,7 +542,79 @@ void refused_and_unusual_descriptions(Suite& t, const json& tube) {
   });
 }
 
-void skins_buffers_and_what_is_no_json(Suite& t, const json& tube) {
+void buffers_and_primitives_without_positions(Suite& t, const json& tube) {
+  t.example("buffers are beside the file that names them, by names with percent signs, and nowhere else", {}, [&] {
+    const gen::TemporaryFolder folder;
+    json g = tube;
+    const std::string data = g["buffers"][0]["uri"];
+    const auto write = [&](const std::string& name, const std::string& bytes) {
+      std::ofstream(folder.file(name), std::ios::binary) << bytes;
+    };
+    const std::string glb = gen::built(gen::bending_tube(3)).binary_file();
+    const std::size_t length = g["buffers"][0]["byteLength"];
+    write("a b.bin", glb.substr(glb.size() - length));
+    const auto is_read_from = [&](const char* uri) {
+      g["buffers"][0]["uri"] = uri;
+      return model_of_scene(gltf_scene(g.dump(), folder.file("file.gltf"))).triangles.size() == 48;
+    };
+    bool found = is_read_from("a%20b.bin");
+    // A plus sign is no space, and a file may be longer than the buffer.
+    write("a+b.bin", glb.substr(glb.size() - length) + "more"), write("a b.bin", std::string(length, 'x'));
+    found = found && is_read_from("a+b.bin") && is_read_from("a%2Bb.bin");
+    // The first of two buffers that are files is the other one.
+    write("four.bin", "1234567");
+    const json one = g;
+    g["buffers"].push_back(g["buffers"][0]), g["buffers"][0] = {{"byteLength", 4}, {"uri", "four.bin"}};
+    for (json& view : g["bufferViews"]) view["buffer"] = 1;
+    found = found && model_of_scene(gltf_scene(g.dump(), folder.file("file.gltf"))).triangles.size() == 48;
+    g = one;
+    write("a b.bin", "too short");
+    g["buffers"][0]["uri"] = "a%20b.bin";
+    const auto refused = [&] {
+      try {
+        gltf_scene(g.dump(), folder.file("file.gltf"));
+      } catch (const ModelError& e) {
+        return std::string(e.what()).find("glTF description: tinygltf cannot read it: ") != std::string::npos;
+      }
+      return false;
+    };
+    bool good = refused();
+    g["buffers"][0]["uri"] = "README.md";  // of the working directory
+    good = good && refused();
+    return Checked(found && good, 6);
+  });
+  t.example("a data URI may have more bytes than the buffer, be it one, two or three, or digits that are no more than these", {},
+            [&] {
+              const std::string glb = gen::built(gen::bending_tube(3)).binary_file();
+              const std::size_t length = tube["buffers"][0]["byteLength"];
+              const Model expected = model_of_scene(gltf_scene(tube.dump(), "file.gltf"));
+              for (std::size_t more = 0; more <= 7; ++more)
+                for (const bool is_cut : {false, true}) {  // so that lengths of all remainders by three come up
+                  json g = tube;
+                  const std::size_t own = length + (is_cut ? more : 0);
+                  g["buffers"][0] = {{"byteLength", own},
+                                     {"uri", "data:application/octet-stream;base64," +
+                                                 gen::base64(glb.substr(glb.size() - length) + std::string(7, 'x'))}};
+                  const Model read = model_of_scene(gltf_scene(g.dump(), "file.gltf"));
+                  if (read.vertices != expected.vertices || read.triangles != expected.triangles)
+                    return Checked(false, static_cast<long>(more), "another model");
+                }
+              return Checked(true, 16);
+            });
+  t.example("a primitive without positions is left out with a note", {}, [&] {
+    json g = tube;
+    json other = primitive(g);
+    other["attributes"].erase("POSITION");
+    g["meshes"][0]["primitives"].push_back(other);
+    const Model expected = model_of_scene(gltf_scene(tube.dump(), "file.gltf")),
+                read = model_of_scene(gltf_scene(g.dump(), "file.gltf"));
+    return Checked(read.triangles == expected.triangles && read.notes.size() == expected.notes.size() + 1 &&
+                       read.notes.back().find("primitive 1: has no triangles") != std::string::npos,
+                   1, read.notes.empty() ? "" : read.notes.back());
+  });
+}
+
+void skins_and_what_is_no_json(Suite& t, const json& tube) {
   t.example("one mesh with two skins is there for each of them, and joints are known by their nodes, not by names", {}, [&] {
     json g = tube;
     g["nodes"][1]["name"] = g["nodes"][2]["name"] = "j0";
@@ -553,32 +628,6 @@ void skins_buffers_and_what_is_no_json(Suite& t, const json& tube) {
                    2,
                    std::to_string(two.triangles.size()) + " triangles, " + std::to_string(two.vertices.size()) + " vertices, " +
                        std::to_string(two.sources.size()) + " sources");
-  });
-  t.example("buffers are beside the file that names them, by names with percent signs, and nowhere else", {}, [&] {
-    const gen::TemporaryFolder folder;
-    json g = tube;
-    const std::string data = g["buffers"][0]["uri"];
-    const auto write = [&](const std::string& name, const std::string& bytes) {
-      std::ofstream(folder.file(name), std::ios::binary) << bytes;
-    };
-    const std::string glb = gen::built(gen::bending_tube(3)).binary_file();
-    const std::size_t length = g["buffers"][0]["byteLength"];
-    write("a b.bin", glb.substr(glb.size() - length));
-    g["buffers"][0]["uri"] = "a%20b.bin";
-    const bool found = model_of_scene(gltf_scene(g.dump(), folder.file("file.gltf"))).triangles.size() == 48;
-    write("a b.bin", "too short");
-    const auto refused = [&] {
-      try {
-        gltf_scene(g.dump(), folder.file("file.gltf"));
-      } catch (const ModelError& e) {
-        return std::string(e.what()).find("glTF description: tinygltf cannot read it: ") != std::string::npos;
-      }
-      return false;
-    };
-    bool good = refused();
-    g["buffers"][0]["uri"] = "README.md";  // of the working directory
-    good = good && refused();
-    return Checked(found && good, 3);
   });
   t.example("what is no JSON is refused with what the parser says", {}, [&] {
     bool good = true;
@@ -598,7 +647,8 @@ PROPTEST(gltf_scene) {
   accessors_of_any_place(t);
   const json tube = json::parse(gen::built(gen::bending_tube(3)).text_file());
   refused_and_unusual_descriptions(t, tube);
-  skins_buffers_and_what_is_no_json(t, tube);
+  buffers_and_primitives_without_positions(t, tube);
+  skins_and_what_is_no_json(t, tube);
 }
 
 }  // namespace proptests::suite_gltf_scene

@@ -207,7 +207,7 @@ Checked check_clips_of_many_keys() {
     double farthest = 0;
     // The whole crossfade in one cell, of which no speeds are known.
     const JointCell cell = joints.cell(joints.boxes()[0]);
-    const CellSlack slack = vertices.slack(cell, true);
+    const CellSlack slack = vertices.slack(cell, Finite::must_be);
     std::vector<std::vector<Point3>> corners;
     for (const ParameterMoment& corner : cell.corners) vertices.place(*joints.at(corner), slack.followed, corners.emplace_back());
     for (int i = 0; i < 3000; ++i) {
@@ -308,6 +308,24 @@ void parts_of_crossfades_and_what_is_refused(Suite& t) {
               }
               return Checked(smaller > 2, looked_at, std::to_string(smaller) + " of them smaller than the whole");
             });
+  t.example("bounds hold for weights that were rounded to multiples of 2^-24, of images that cancel, too", {}, [] {
+    long tried = 0;
+    for (const double way : {1.0, 1e3, 1e6}) {
+      Eigen::Matrix4d right = Eigen::Matrix4d::Identity(), left = right;
+      right(0, 3) = way, left(0, 3) = -way;
+      Model model = gen::model_of_nodes("cancelling", {{"right", -1, right}, {"left", -1, left}});
+      model.vertices = {{0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0}};
+      model.triangles = {{0, 1, 2}};
+      model.influences.assign(3, {{0, 0.5}, {1, 0.5}});
+      for (const BoundedPart& part : bound_model(model).rest) {
+        const double off = 2 * way * 0x1p-25;  // of weights that are 2^-25 less and more
+        if (!(part.box.low[0] <= -off && part.box.high[0] >= 1e-3 + off)) return Checked(false, tried, std::to_string(way));
+        if (!(part.ball.radius >= off && part.ball.radius <= 1e-3 + 2e-6 * way * 8)) return Checked(false, tried, "ball");
+        ++tried;
+      }
+    }
+    return Checked(true, tried);
+  });
   t.example("what is not finite, or beyond the range of float, is refused with the clip", {}, [] {
     std::string wrong;
     const auto refused = [&](const Model& model, const std::string& reason) {

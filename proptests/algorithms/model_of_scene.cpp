@@ -146,6 +146,36 @@ std::size_t joints_of_two_bones(double apart) {
   return model_of_scene(convert_scene(*s, "memory")).joints.size();
 }
 
+void what_has_no_triangle_and_what_has(Suite& t) {
+  t.example("a skinned mesh without a triangle is not there, nor is its skin", {}, [] {
+    Scene s = convert_scene(*scene(), "file");
+    s.meshes[0].primitives[0].triangles.clear();
+    try {
+      model_of_scene(s);
+    } catch (const ModelError& e) {
+      return Checked(e.what() == std::string("file: file: no skin: no mesh has bones"), 1, e.what());
+    }
+    return Checked(false, 1, "it is accepted");
+  });
+  t.example(
+      "a triangle of vertices that only the rounding of weights makes one is there, and so is each of its vertices", {}, [] {
+        Scene s{"file", {{"root", -1, Eigen::Matrix4d::Identity()}, {"joint", 0, Eigen::Matrix4d::Identity()}}, {}, {}, {}, {}};
+        const Eigen::Vector3d origin = Eigen::Vector3d::Zero(), far(100, 0, 0);
+        const std::vector<std::pair<int, double>> even = {{0, 0.25}, {1, 0.75}},
+                                                  nearly = {{0, 0.25 + 0x1p-27}, {1, 0.75 - 0x1p-27}};
+        s.meshes = {{{{"mesh 0", {origin, origin, far, origin}, {{0, 1, 2}, {0, 3, 2}}, {even, nearly, even, even}}}}};
+        s.skins = {{{0, 1}, {Eigen::Matrix4d::Identity(), Eigen::Matrix4d::Identity()}}};
+        s.shown = {{0, 0, 0}};
+        const Model model = model_of_scene(s);
+        bool are_rounded = model.vertices.size() == 3;  // the fourth is the first
+        for (const auto& list : model.influences)
+          are_rounded = are_rounded && list.size() == 2 && list[0].weight == 0.25 && list[1].weight == 0.75;
+        return Checked(are_rounded && model.triangles.size() == 1 && model.vertices[model.triangles[0][2]] == far &&
+                           model.sources[0].triangles == std::vector<int>{0, -1},
+                       2);
+      });
+}
+
 }  // namespace
 
 PROPTEST(model_of_scene) {
@@ -204,16 +234,7 @@ PROPTEST(model_of_scene) {
                          Point3(plain.mVertices[v].x, plain.mVertices[v].y, plain.mVertices[v].z)) != model.vertices.end();
     return Checked(found == static_cast<long>(plain.mNumVertices) && found > 0, found);
   });
-  t.example("a skinned mesh without a triangle is not there, nor is its skin", {}, [] {
-    Scene s = convert_scene(*scene(), "file");
-    s.meshes[0].primitives[0].triangles.clear();
-    try {
-      model_of_scene(s);
-    } catch (const ModelError& e) {
-      return Checked(e.what() == std::string("file: file: no skin: no mesh has bones"), 1, e.what());
-    }
-    return Checked(false, 1, "it is accepted");
-  });
+  what_has_no_triangle_and_what_has(t);
   t.example("a scene with one thing wrong is refused with the file, the thing and the reason", {}, [] {
     std::string wrong = refusal(*scene());
     for (const Broken& broken : broken_scenes()) {

@@ -66,53 +66,54 @@ Model turning(double angle, int turned_joints = 1) {
 }
 
 void errors_of_rounding(Suite& t) {
-  t.holds("placed vertices are off by no more than the error, even if most of what they are summed up from cancels",
-          {.number_type = "multiprecision interval",
-           .cases = 300,
-           .degenerate_at_least = 0.2,
-           .degenerate_at_most = 0.9,
-           .tags_at_least = {{"bounded", 0.8}, {"cancels", 0.1}}},
-          [] {
-            const Skinning skinning = skinning_of(*rc::gen::inRange(0, 3));
-            const auto plan = gen::draw_animated_plan(skinning != Skinning::linear);
-            RC_LOG() << plan << " skinning " << static_cast<int>(skinning);
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-            if (plan.far > 0 || plan.away > 0) RC_TAG("cancels");
-            const Model model = gen::animated_model(plan);
-            const Animation& animation = model.clips[0].animation;
-            const JointSets sets(model);
-            oracle::AnimatedSkin<M> skin(model, animation, skinning);
-            std::mt19937 random(plan.seed + 5);
-            try {
-              const AnimatedJoints joints(model, animation, skinning != Skinning::linear);
-              const MovingVertices moving(model, sets, skinning, gen::all_of(model.vertices));
-              std::vector<Point3> points;
-              for (int i = 0; i < 4; ++i) {
-                const int part = static_cast<int>(random() % static_cast<unsigned>(joints.part_count()));
-                const double start = joints.times()[part], end = joints.times()[part + 1];
-                const double time = i == 0   ? start
-                                    : i == 1 ? end
-                                             : start + (end - start) * std::uniform_real_distribution<double>(0, 1)(random);
-                const Side side = time == start ? Side::after : Side::before;
-                // What is not followed may be off: blends that may vanish.
-                if (!(moving.slack(joints.cell(part, time, time), false).chord < std::numeric_limits<double>::infinity()) &&
-                    skinning == Skinning::dual_quaternion)
-                  continue;
-                moving.place(*joints.at(time, side), Followed::skinned, points);
-                const auto exact = skinned(skin, model, time, side);
-                if (!exact) {
-                  RC_TAG("undecided");
-                  continue;
-                }
-                for (std::size_t v = 0; v < points.size(); ++v)
-                  RC_ASSERT(!is_farther(exactly(points[v]), (*exact)[v],
-                                        moving.placing_error(joints.cell(part, joints.times()[part], joints.times()[part + 1]))));
-              }
-              RC_TAG("bounded");
-            } catch (const ModelError&) {
-              RC_TAG("refused");
+  t.holds(
+      "placed vertices are off by no more than the error, even if most of what they are summed up from cancels",
+      {.number_type = "multiprecision interval",
+       .cases = 300,
+       .degenerate_at_least = 0.2,
+       .degenerate_at_most = 0.9,
+       .tags_at_least = {{"bounded", 0.8}, {"cancels", 0.1}}},
+      [] {
+        const Skinning skinning = skinning_of(*rc::gen::inRange(0, 3));
+        const auto plan = gen::draw_animated_plan(skinning != Skinning::linear);
+        RC_LOG() << plan << " skinning " << static_cast<int>(skinning);
+        RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+        if (plan.far > 0 || plan.away > 0) RC_TAG("cancels");
+        const Model model = gen::animated_model(plan);
+        const Animation& animation = model.clips[0].animation;
+        const JointSets sets(model);
+        oracle::AnimatedSkin<M> skin(model, animation, skinning);
+        std::mt19937 random(plan.seed + 5);
+        try {
+          const AnimatedJoints joints(model, animation, skinning != Skinning::linear);
+          const MovingVertices moving(model, sets, skinning, gen::all_of(model.vertices));
+          std::vector<Point3> points;
+          for (int i = 0; i < 4; ++i) {
+            const int part = static_cast<int>(random() % static_cast<unsigned>(joints.part_count()));
+            const double start = joints.times()[part], end = joints.times()[part + 1];
+            const double time = i == 0   ? start
+                                : i == 1 ? end
+                                         : start + (end - start) * std::uniform_real_distribution<double>(0, 1)(random);
+            const Side side = time == start ? Side::after : Side::before;
+            // What is not followed may be off: blends that may vanish.
+            if (!(moving.slack(joints.cell(part, time, time), Finite::may_be).chord < std::numeric_limits<double>::infinity()) &&
+                skinning == Skinning::dual_quaternion)
+              continue;
+            moving.place(*joints.at(time, side), Followed::skinned, points);
+            const auto exact = skinned(skin, model, time, side);
+            if (!exact) {
+              RC_TAG("undecided");
+              continue;
             }
-          });
+            for (std::size_t v = 0; v < points.size(); ++v)
+              RC_ASSERT(!is_farther(exactly(points[v]), (*exact)[v],
+                                    moving.placing_error(joints.cell(part, joints.times()[part], joints.times()[part + 1]))));
+          }
+          RC_TAG("bounded");
+        } catch (const ModelError&) {
+          RC_TAG("refused");
+        }
+      });
   t.example("an error is not much more than rounding: parts in 10^11 of the size by linear skinning, in 10^9 by dual quaternions",
             {}, [] {
               const Model model = turning(60);
@@ -122,6 +123,19 @@ void errors_of_rounding(Suite& t) {
               const JointCell cell = joints.cell(0, 0, 0.25);
               return linear.placing_error(cell) > 0 && linear.placing_error(cell) < 1e-11 && dual.placing_error(cell) < 1e-9;
             });
+  t.example(
+      "an error grows with what blends do to it: by dual quaternions tenfold at least, since blends of a tenth of a unit are "
+      "followed, "
+      "and about least-squares centers 10^4 times, which is how much farther away than the joints these may be",
+      {}, [] {
+        const Model model = turning(60);
+        const JointSets sets(model);
+        const AnimatedJoints joints(model, model.clips[0].animation, true);
+        const JointCell cell = joints.cell(0, 0, 0.25);
+        const auto error = [&](Skinning skinning) { return MovingVertices(model, sets, skinning, {0}).placing_error(cell); };
+        const double linear = error(Skinning::linear);
+        return error(Skinning::dual_quaternion) >= 10 * linear && error(Skinning::spherical) >= 1e4 * linear;
+      });
 }
 
 void what_is_not_followed_or_costs_nothing(Suite& t) {
@@ -140,10 +154,11 @@ void what_is_not_followed_or_costs_nothing(Suite& t) {
     const AnimatedJoints joints(model, model.clips[0].animation, true);
     const MovingVertices dual(model, sets, Skinning::dual_quaternion, {0});
     const double unknown = std::numeric_limits<double>::infinity();
-    const CellSlack before = dual.slack(joints.cell(0, 0, 0.25), false), there = dual.slack(joints.cell(3, 0.75, 1), false),
-                    must = dual.slack(joints.cell(3, 0.75, 1), true);
+    const CellSlack before = dual.slack(joints.cell(0, 0, 0.25), Finite::may_be),
+                    there = dual.slack(joints.cell(3, 0.75, 1), Finite::may_be),
+                    must = dual.slack(joints.cell(3, 0.75, 1), Finite::must_be);
     // Afterwards, the other sign holds, by short intervals.
-    const CellSlack after = dual.slack(joints.cell(3, 0.99, 1), false);
+    const CellSlack after = dual.slack(joints.cell(3, 0.99, 1), Finite::may_be);
     return before.followed == Followed::skinned && before.chord < 0.8 && there.chord == unknown &&
            must.followed == Followed::linear_blend && must.chord < 0.3 && must.beyond[0] > 0.5 && must.beyond[0] < unknown &&
            after.chord < 0.01;
@@ -156,10 +171,10 @@ void what_is_not_followed_or_costs_nothing(Suite& t) {
     const MovingVertices of_two(two, sets_of_two, Skinning::dual_quaternion, {0}),
         of_three(three, sets_of_three, Skinning::dual_quaternion, {0});
     // At 176 degrees, where signs stay.
-    const double shorter = of_two.slack(turning_two.cell(3, 0.95, 0.951), false).chord,
-                 longer = of_two.slack(turning_two.cell(0, 0.05, 0.051), false).chord,
-                 too_short = of_three.slack(turning_three.cell(3, 0.9263, 0.92631), false).chord,
-                 long_enough = of_three.slack(turning_three.cell(3, 0.8, 0.80001), false).chord;
+    const double shorter = of_two.slack(turning_two.cell(3, 0.95, 0.951), Finite::may_be).chord,
+                 longer = of_two.slack(turning_two.cell(0, 0.05, 0.051), Finite::may_be).chord,
+                 too_short = of_three.slack(turning_three.cell(3, 0.9263, 0.92631), Finite::may_be).chord,
+                 long_enough = of_three.slack(turning_three.cell(3, 0.8, 0.80001), Finite::may_be).chord;
     return Checked(shorter > 1.3 * longer && shorter < 1e-3 && too_short == unknown && long_enough < 1e-3, 4,
                    std::to_string(shorter) + " " + std::to_string(longer) + " " + std::to_string(too_short) + " " +
                        std::to_string(long_enough));
@@ -170,7 +185,7 @@ void what_is_not_followed_or_costs_nothing(Suite& t) {
     const AnimatedJoints joints(model, model.clips[0].animation, true);
     const MovingVertices dual(model, sets, Skinning::dual_quaternion, {0});
     try {
-      dual.slack(joints.cell(3, 0.75, 1), true);
+      dual.slack(joints.cell(3, 0.75, 1), Finite::must_be);
     } catch (const ModelError& e) {
       return std::string(e.what()) ==
              "turning: vertex 0 or one like it: the rotations of its joints come so far apart that their blend may vanish: there "
@@ -187,10 +202,12 @@ void what_is_not_followed_or_costs_nothing(Suite& t) {
         {0, {{{0, Eigen::Vector3d::Zero()}, {1, Eigen::Vector3d(1e6, 0, 0)}}}, {{{0, Eigen::Quaterniond::Identity()}}}, one});
     const JointSets sets(model);
     const AnimatedJoints joints(model, animation, true);
-    const double moved = MovingVertices(model, sets, Skinning::dual_quaternion, {0}).slack(joints.cell(0, 0, 0.25), false).chord;
+    const double moved =
+        MovingVertices(model, sets, Skinning::dual_quaternion, {0}).slack(joints.cell(0, 0, 0.25), Finite::may_be).chord;
     const Model still = turning(60);
     const AnimatedJoints resting(still, still.clips[0].animation, true);
-    const double alone = MovingVertices(still, sets, Skinning::dual_quaternion, {0}).slack(resting.cell(0, 0, 0.25), false).chord;
+    const double alone =
+        MovingVertices(still, sets, Skinning::dual_quaternion, {0}).slack(resting.cell(0, 0, 0.25), Finite::may_be).chord;
     return moved == alone && alone < 0.05;
   });
 }
@@ -226,9 +243,9 @@ PROPTEST(moving_vertices) {
                              end = length == 1 ? last : std::min(last, start + length * (last - first));
                 if (!(start < end)) continue;
                 const Side side = start == first ? Side::after : Side::before;
-                CellSlack slack = moving.slack(joints.cell(part, start, end), false);
+                CellSlack slack = moving.slack(joints.cell(part, start, end), Finite::may_be);
                 if (!(slack.chord < std::numeric_limits<double>::infinity()))
-                  slack = moving.slack(joints.cell(part, start, end), true);
+                  slack = moving.slack(joints.cell(part, start, end), Finite::must_be);
                 const double error = moving.placing_error(joints.cell(part, joints.times()[part], joints.times()[part + 1]));
                 const bool itself = slack.followed == Followed::skinned;
                 RC_TAG(itself ? "followed itself" : "followed by its linear blend");

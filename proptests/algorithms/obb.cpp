@@ -220,6 +220,17 @@ PROPTEST(obb) {
             for (int i = 0; i < 3; ++i) larger.low[i] -= 1e-14 * size, larger.high[i] += 1e-14 * size;
             for (int n = 0; n < 5; ++n) RC_ASSERT(larger.contains(lift<double>(gen::hull_point(list.balls))) == Verdict::holds);
           });
+  t.example("all of space overlaps every box and itself, and has every point", {.number_type = "double"}, [] {
+    const std::vector<Ball3<double>> everywhere = {{{1, 2, 3}, HUGE_VAL}}, unit = {{{0, 0, 0}, 1}};
+    bool ok = true;
+    for (const Quaternion<double>& turned :
+         {Quaternion<double>(1, 0, 0, 0), Quaternion<double>(0.5, 0.5, 0.5, 0.5), Quaternion<double>(0.9, 0.1, -0.3, 0.2)}) {
+      const auto all = Obb<double>::around(everywhere, turned), one = Obb<double>::around(unit, {1, 0, 0, 0});
+      for (const auto& [a, b] : {std::pair(all, one), {one, all}, {all, all}}) ok = ok && a.overlaps(b) == Verdict::holds;
+      ok = ok && all.contains({1e300, -1e300, 0}) == Verdict::holds;
+    }
+    return Checked(ok, 12);
+  });
   t.example("a turned box comes back from its corners", {.number_type = "double"}, finds_a_turned_box);
 }
 

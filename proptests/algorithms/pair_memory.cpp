@@ -37,6 +37,17 @@ PROPTEST(pair_memory) {
     expected.insert(expected.begin(), {0, 100});
     return memory.pairs() == expected;
   });
+  t.example("a remembered pair may be remembered again by what pairs() returns", {}, [] {
+    bool ok = true;
+    for (std::size_t k = 0; k < PairMemory::most; ++k) {
+      PairMemory memory;
+      for (const TrianglePair& pair : pairs_from(0, PairMemory::most)) memory.remember(pair);
+      const TrianglePair again = memory.pairs()[k];
+      memory.remember(memory.pairs()[k]);
+      ok = ok && memory.pairs()[0] == again && memory.pairs().size() == PairMemory::most;
+    }
+    return Checked(ok, static_cast<long>(PairMemory::most));
+  });
   t.example("of many pairs, as many as there is room for are kept, spread over all of them", {}, [] {
     bool ok = true;
     for (const int count : {0, 1, 7, 8, 9, 80}) {

@@ -329,8 +329,9 @@ void check_scales() {
       RC_ASSERT((defect < 0 ? Rational(-defect) : defect) <= as_rational(scales.unit_defect));
     }
     const Rational least = sq(Rational(1) / as_rational(scales.inverse_blend));
-    RC_ASSERT(least >= Rational(least_squared_length<double>()) * Rational(0.999));
-    if (least <= Rational(least_squared_length<double>())) continue;  // nothing is claimed of smaller blends
+    const Rational shortest = Rational(least_squared_length<double>()) / 2;
+    RC_ASSERT(least >= shortest * Rational(0.999));
+    if (least <= shortest) continue;  // nothing is claimed of smaller blends
     std::vector<std::vector<Rational>> weights = c.sets[s].weights.vertices;
     weights.push_back(std::vector<Rational>(n, Rational(1) / Rational(long(n))));
     weights.push_back(*gen::convex_weights(static_cast<int>(n)));

@@ -404,6 +404,16 @@ void balls_and_caps_hold_what_they_say(Suite& t) {
 }
 
 PROPTEST(vocabulary) {
+  t.example("the greater and the lesser of a number and of what is none decide nothing, whatever their order",
+            {.number_type = "interval"}, [] {
+              const auto decides_nothing = []<class S>(const S& none) {
+                bool ok = less_equal(none, S(2)) == Verdict::undecided;
+                for (const S& x : {max_of(S(1), none), max_of(none, S(1)), min_of(S(1), none), min_of(none, S(1))})
+                  ok = ok && less_equal(x, S(2)) == Verdict::undecided;
+                return ok;
+              };
+              return Checked(decides_nothing(root(Interval(-1))) && decides_nothing(root(MultiprecisionInterval(-1))), 10);
+            });
   verdicts_are_those_of_truth_values(t);
   intervals_and_numbers_compute(t);
   numbers_are_lifted_and_compared(t);

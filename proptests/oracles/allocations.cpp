@@ -6,13 +6,16 @@
 
 namespace {
 
-thread_local long count = 0;
+thread_local long count = 0, fails_at = -1;
 
 }  // namespace
 
 namespace proptests::oracle {
 
 long allocations() { return count; }
+
+FailingAllocation::FailingAllocation(long after) { fails_at = count + after + 1; }
+FailingAllocation::~FailingAllocation() { fails_at = -1; }
 
 }  // namespace proptests::oracle
 
@@ -32,14 +35,22 @@ void ignore(const volatile void*) {}
 
 #else
 
+namespace {
+
+void add_one() {
+  if (++count == fails_at) throw std::bad_alloc();
+}
+
+}  // namespace
+
 // All other forms of the language's own lead here.
 void* operator new(std::size_t size) {
-  ++count;
+  add_one();
   if (void* out = std::malloc(size > 0 ? size : 1)) return out;
   throw std::bad_alloc();
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++count;
+  add_one();
   const auto unit = static_cast<std::size_t>(alignment);
   if (void* out = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return out;
   throw std::bad_alloc();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Counts what this thread takes from the heap by operator new, which the test program replaces for that.
+// Counts what this thread takes from the heap by operator new, which the test program replaces for that, and lets it fail.
 #pragma once
 
 namespace proptests::oracle {
@@ -14,5 +14,19 @@ long allocations_in(const Call& call) {
   call();
   return allocations() - before;
 }
+
+// While it lives, one allocation of this thread throws std::bad_alloc: that after so many others. There is one at a time. Not of a program
+// with the address sanitizer, which has its own operators.
+class FailingAllocation {
+ public:
+  explicit FailingAllocation(long after);
+  ~FailingAllocation();
+  FailingAllocation(const FailingAllocation&) = delete;
+};
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool allocations_can_fail = false;
+#else
+inline constexpr bool allocations_can_fail = true;
+#endif
 
 }  // namespace proptests::oracle

@@ -7,10 +7,18 @@
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
+namespace {
+
+// Enough for ten thousand poses of a hundred joints.
+constexpr std::size_t bytes_of_poses = std::size_t(128) << 20;
+
+}  // namespace
+
 AnimatedJoints::AnimatedJoints(const Model& model, const Animation& animation, bool needs_pose)
     : model_(model),
       animation_(animation),
-      needs_pose_(needs_pose) {
+      needs_pose_(needs_pose),
+      posed_(bytes_of_poses / (1 + model.skeleton.joints.size() * sizeof(Eigen::Matrix4d))) {
   const DefaultFloatEnvironment environment;
   if (model.skeleton.joints.size() != model.joints.size())
     throw ModelError(model.name, "clip '" + animation.name + "'", "it has no keys, and nothing is known of it between poses");
@@ -79,10 +87,10 @@ std::shared_ptr<const PosedJoints> AnimatedJoints::at(const ParameterMoment& mom
 std::shared_ptr<const PosedJoints> AnimatedJoints::at(double time, Side side) const {
   const DefaultFloatEnvironment environment;
   side = side_of(time, side);
-  {
-    const std::lock_guard lock(guard_);
-    if (const auto found = posed_.find({time, side}); found != posed_.end()) return found->second;
-  }
+  return posed_.get({time, side}, [&] { return posed(time, side); });
+}
+
+PosedJoints AnimatedJoints::posed(double time, Side side) const {
   PosedJoints posed{skin_matrices(model_.skeleton, animation_, time, side), {}, {}};
   for (std::size_t m = 0; m < weight_tracks_.size(); ++m) {
     const std::vector<double>& still = model_.morphs[m].weights;
@@ -92,8 +100,7 @@ std::shared_ptr<const PosedJoints> AnimatedJoints::at(double time, Side side) co
   }
   check_finite(*this, posed, std::to_string(time) + " s");
   if (needs_pose_) posed.pose = pose(model_.skeleton, animation_, time, side).pose;
-  const std::lock_guard lock(guard_);
-  return posed_.try_emplace({time, side}, std::make_shared<const PosedJoints>(std::move(posed))).first->second;
+  return posed;
 }
 
 }  // namespace refitlab

@@ -3,9 +3,7 @@
 // two times.
 #pragma once
 
-#include <map>
-#include <mutex>
-
+#include "algorithms/bake/over_time/bounded_cache.hpp"
 #include "algorithms/bake/over_time/moving_joints.hpp"
 #include "algorithms/bake/over_time/node_motions.hpp"
 
@@ -35,11 +33,13 @@ class AnimatedJoints : public MovingJoints {
 
   // Returns the side, or Side::after if both sides of the time are the same.
   Side side_of(double time, Side side) const;
-  // Returns the posed joints at a time. All who ask for the same share them.
+  // Returns the posed joints at a time. Those of many times are shared by all who ask for the same.
   std::shared_ptr<const PosedJoints> at(double time, Side side) const;
   std::shared_ptr<const PosedJoints> at(const ParameterMoment& moment) const override;
 
  private:
+  PosedJoints posed(double time, Side side) const;
+
   const Model& model_;
   const Animation& animation_;
   bool needs_pose_;
@@ -47,8 +47,7 @@ class AnimatedJoints : public MovingJoints {
   std::vector<std::shared_ptr<const JointMotions>> motions_;  // by part
   std::vector<const WeightTrack*> weight_tracks_;             // by morphed mesh; nullptr where weights stay
   std::vector<double> defects_, roundings_;                   // by part
-  mutable std::mutex guard_;
-  mutable std::map<std::pair<double, Side>, std::shared_ptr<const PosedJoints>> posed_;
+  mutable BoundedCache<std::pair<double, Side>, PosedJoints> posed_;
 };
 
 }  // namespace refitlab

@@ -149,9 +149,9 @@ class Search {
   };
 
   Cell cell(const MovingJoints& joints, const ParameterBox& box, const std::vector<int>& halvings, double error,
-            bool must = false) {
+            Finite finite = Finite::may_be) {
     const JointCell where = joints.cell(box);
-    const CellSlack slack = vertices_.slack(where, must);
+    const CellSlack slack = vertices_.slack(where, finite);
     Cell out{box, halvings, error, slack.chord, slack.chords, Values(functions_.scales().size(), -infinity)};
     for (const ParameterMoment& corner : where.corners) raise(out.at_corners, values_at(joints, corner, slack));
     return out;
@@ -197,7 +197,7 @@ class Search {
       for (const ParameterBox& half : halves) open(cell(joints, half, now.halvings, now.error));
       if (!halves.empty()) --halvings_left_;
       else if (now.chord < infinity) accept(now);
-      else accept(cell(joints, now.box, now.halvings, now.error, true));
+      else accept(cell(joints, now.box, now.halvings, now.error, Finite::must_be));
     }
   }
 
@@ -291,6 +291,9 @@ BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const
   const DefaultFloatEnvironment environment;
   if (!(options.tolerance > 0)) throw std::invalid_argument("bound_over_time: the tolerance is not positive");
   BoundOverTime out;
+  for (const MovingJoints* of : joints)
+    for (const ParameterBox& box : of->boxes())
+      out.farthest_image = std::max(out.farthest_image, vertices.farthest_image(of->cell(box)));
   DirectionFunctions directions(options.directions, options.tolerance);
   Search slabs(joints, vertices, directions, options.most_halvings);
   slabs.run();

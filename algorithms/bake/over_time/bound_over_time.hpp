@@ -40,8 +40,9 @@ struct BoundOverTime {
   // For joints with one parameter, these are the intervals from which both bounds are made. They cover the parameter, in order of
   // time.
   std::vector<ProvenInterval> slab_intervals, ball_intervals;
-  int moments = 0;  // at which the vertices were skinned
-  double gap = 0;   // what slabs are wider than moments have seen, at most; units of the file
+  double farthest_image = 0;  // of the vertices by their joints (MovingVertices::farthest_image); units of the file
+  int moments = 0;            // at which the vertices were skinned
+  double gap = 0;             // what slabs are wider than moments have seen, at most; units of the file
 };
 
 // Returns bounds that hold for all that any of these joints, at least one, can do. Throws std::invalid_argument for a tolerance

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <deque>
 #include <map>
 #include <mutex>
@@ -15,6 +16,7 @@
 #include "algorithms/bake/parallel.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/packs/float_above.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
@@ -91,12 +93,15 @@ std::vector<Point3> directions_of_dop(int dop) {
   return out;
 }
 
+// Widens a bound by what renderers lose, and by what a vertex is off because its weights are multiples of 2^-24 (quantize.hpp): each of
+// them by less than that, times an image. Both are shares of the images' distances from the scene's origin, even where these cancel.
 // Throws ModelError, with this thing of the file, if floats do not hold the bound.
-BoundedPart outward(const BoundOverTime& bound, double renderer_rounding, const std::string& file, const std::string& thing) {
+BoundedPart outward(const BoundOverTime& bound, int joints, double renderer_rounding, const std::string& file,
+                    const std::string& thing) {
   Box<double> box = box_of(bound.slabs);
   double farthest = 0;
   for (int i = 0; i < 3; ++i) farthest = std::max({farthest, std::abs(box.low[i]), std::abs(box.high[i])});
-  const double more = renderer_rounding * 2 * farthest;  // no less than the share of the farthest vertex's distance
+  const double more = (renderer_rounding + std::ldexp(joints > 1 ? joints : 0, -weight_bits)) * bound.farthest_image;
   box.grow(more);
   BoundedPart out = {rounded_outward(box), rounded_outward(Ball3<double>{bound.ball.center, bound.ball.radius + more})};
   const auto directions = slab_directions(static_cast<int>(2 * bound.slabs.size()));
@@ -239,7 +244,7 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
     BoundOverTime bound = bound_over_time(joints, vertices, how);
     moments += bound.moments;
     if (kept) *kept = {std::move(bound.slab_intervals), std::move(bound.ball_intervals)};
-    return outward(bound, options.renderer_rounding, model.name, joints.back()->name());
+    return outward(bound, vertices.most_joints(), options.renderer_rounding, model.name, joints.back()->name());
   };
   const auto share_among_same = [&](auto& parts) {
     for (std::size_t p = 0; p < parts.size(); ++p) parts[p] = parts[first[p]];

@@ -73,9 +73,9 @@ struct ModelBoundsOptions {
   RotationBlend rotations = RotationBlend::slerp;  // of crossfades
   bool any_pose = false;                           // bound what poses of code could do, too
   bool with_intervals = false;                     // keep the intervals of the clips' bounds
-  // Bounds are wider by this share of the farthest vertex's distance from the scene's origin, because a renderer skins in float
-  // and is off by as much.
-  double renderer_rounding = 0x1p-20;
+  // Bounds are wider by this share of the distance of a vertex's images by its joints from the scene's origin, because a renderer skins
+  // in float and is off by as much.
+  double renderer_rounding = 0x1p-19;
   // It is told the share that is done, by any thread, but one at a time.
   std::function<void(double)> progress = {};
 };

@@ -189,7 +189,7 @@ void MovingVertices::place(const PosedJoints& posed, Followed followed, std::vec
   }
 }
 
-CellSlack MovingVertices::slack(const JointCell& cell, bool must) const {
+CellSlack MovingVertices::slack(const JointCell& cell, Finite finite) const {
   const DefaultFloatEnvironment environment;
   const auto blends = [&](const Set& set) { return skinning_ != Skinning::linear && joint_sets_.joints(set.index).size() > 1; };
   CellSlack out{Followed::skinned, 0, std::vector<double>(cell.sides.size(), 0)};
@@ -201,14 +201,14 @@ CellSlack MovingVertices::slack(const JointCell& cell, bool must) const {
       const std::vector<double> chords = blends(set) ? dual_chords(set, cell) : linear_chords(set, cell);
       raise(chords, sum_of(chords));
     }
-    if (out.chord < unknown || !must) return out;
+    if (out.chord < unknown || finite == Finite::may_be) return out;
   }
   out = {Followed::linear_blend, 0, std::vector<double>(cell.sides.size(), 0), std::vector<double>(vertices_.size(), 0)};
   for (const Set& set : sets_) {
     const std::vector<double> chords = linear_chords(set, cell);
     double sum = sum_of(chords);
-    if (must && !(sum < unknown)) sum = widest_chord(set, cell);
-    raise(chords, !blends(set) || deviate(set, cell, must, sum, out.beyond) ? sum : unknown);
+    if (finite == Finite::must_be && !(sum < unknown)) sum = widest_chord(set, cell);
+    raise(chords, !blends(set) || deviate(set, cell, finite, sum, out.beyond) ? sum : unknown);
   }
   return out;
 }
@@ -299,11 +299,12 @@ double MovingVertices::squared_blend(const Set& set, const Rotations& rotations)
   return least;
 }
 
-bool MovingVertices::deviate(const Set& set, const JointCell& cell, bool must, double chord, std::vector<double>& beyond) const {
+bool MovingVertices::deviate(const Set& set, const JointCell& cell, Finite finite, double chord,
+                             std::vector<double>& beyond) const {
   const Rotations known = rotations(set, cell);
   const double squared_least = squared_blend(set, known);
   if (squared_least < squared_shortest_blend) {
-    if (!must) return false;
+    if (finite == Finite::may_be) return false;
     throw ModelError(model_.name, "vertex " + std::to_string(vertices_[set.vertices[0]]) + " or one like it",
                      "the rotations of its joints come so far apart that their blend may vanish: there is no bound over time");
   }
@@ -338,24 +339,40 @@ double MovingVertices::relative_rounding(const Set& set, const JointCell& cell) 
   return error_per_link * links * std::numeric_limits<double>::epsilon() / 2 * cell.rounding;
 }
 
+double MovingVertices::farthest_image(const Set& set, const JointCell& cell) const {
+  const auto joints = joint_sets_.joints(set.index);
+  const JointMotions& motions = *cell.motions[0];  // sizes are the same in all parameters
+  double size = 0;
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const int node = model_.skeleton.joints[joints[k]].node;
+    size = std::max(size, carried_motion(motions.chains[node], below(set, k, motions, set.reaches)).size);
+  }
+  return size;
+}
+
+double MovingVertices::farthest_image(const JointCell& cell) const {
+  const DefaultFloatEnvironment environment;
+  double size = 0;
+  for (const Set& set : sets_) size = std::max(size, farthest_image(set, cell));
+  return size;
+}
+
+int MovingVertices::most_joints() const {
+  std::size_t most = 0;
+  for (const Set& set : sets_) most = std::max(most, joint_sets_.joints(set.index).size());
+  return static_cast<int>(most);
+}
+
 double MovingVertices::placing_error(const JointCell& cell) const {
   const DefaultFloatEnvironment environment;
   double error = 0;
   for (const Set& set : sets_) {
-    const auto joints = joint_sets_.joints(set.index);
-    // This is the size of all summands, even if most of them cancel. Sizes are the same in all parameters.
-    double size = 0;
-    const JointMotions& motions = *cell.motions[0];
-    for (std::size_t k = 0; k < joints.size(); ++k) {
-      const int node = model_.skeleton.joints[joints[k]].node;
-      size = std::max(size, carried_motion(motions.chains[node], below(set, k, motions, set.reaches)).size);
-    }
     double relative = relative_rounding(set, cell);
     if (skinning_ != Skinning::linear) {
       relative *= skinning_ == Skinning::spherical ? growth_about_center : 1 / squared_shortest_blend;
       relative += error_per_defect * cell.defect * (1 + cell.defect);
     }
-    error = std::max(error, relative * size);
+    error = std::max(error, relative * farthest_image(set, cell));
   }
   return error;
 }

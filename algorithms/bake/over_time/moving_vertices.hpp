@@ -24,6 +24,9 @@ struct CellSlack {
   std::vector<double> beyond = {};  // by position in vertices(), where a linear blend is followed
 };
 
+// Whether the slack of a cell may be infinite, because another cell will do, or must be finite, however loose it is.
+enum class Finite { may_be, must_be };
+
 class MovingVertices {
  public:
   // vertices are some vertices of the model, at least one, by index. All arguments must outlive this. skinning is linear,
@@ -38,10 +41,17 @@ class MovingVertices {
   // Computes the points that are followed, by position in vertices(), in the scene's frame and units of the file.
   void place(const PosedJoints& posed, Followed followed, std::vector<Point3>& points) const;
 
-  // Returns the slack of all vertices throughout the cell. Dual quaternions whose blend may vanish are followed only if they must
-  // be, and then by their linear blend (b7_motion_bound), which is loose.
+  // Returns the slack of all vertices throughout the cell. Dual quaternions whose blend may vanish are followed only if it must be
+  // finite, and then by their linear blend (b7_motion_bound), which is loose.
   // Throws ModelError if it must but there is no bound, which happens for a blend of three or more rotations that may vanish.
-  CellSlack slack(const JointCell& cell, bool must) const;
+  CellSlack slack(const JointCell& cell, Finite finite) const;
+
+  // Returns how far what is summed up for a vertex is from the scene's origin at any moment of the cell, at most: its images by its
+  // joints, even if most of them cancel.
+  double farthest_image(const JointCell& cell) const;
+
+  // Returns the greatest number of joints of a vertex.
+  int most_joints() const;
 
   // Returns the greatest error of place() at any moment of the cell, because of rounding and of skin matrices that are not quite
   // rigid.
@@ -73,6 +83,7 @@ class MovingVertices {
   Motion<double> dual_motion(const Set& set, const JointMotions& motions, double squared_least) const;
   // Returns the rounding error of the computed rotations and images of the set's joints, relative to the sizes of their summands.
   double relative_rounding(const Set& set, const JointCell& cell) const;
+  double farthest_image(const Set& set, const JointCell& cell) const;
   // These return the chords of linear blends and of dual quaternions, by parameter. Chords are infinite where the latter may
   // vanish.
   std::vector<double> linear_chords(const Set& set, const JointCell& cell) const;
@@ -81,8 +92,8 @@ class MovingVertices {
   // the scene's origin than the vertices ever are. That is loose.
   double widest_chord(const Set& set, const JointCell& cell) const;
   // Writes to beyond how far the set's skinned vertices are from their linear blends, whose chord is known. If the blends may
-  // vanish, it returns false, or throws ModelError if it must succeed.
-  bool deviate(const Set& set, const JointCell& cell, bool must, double chord, std::vector<double>& beyond) const;
+  // vanish, it returns false, or throws ModelError if it must be finite.
+  bool deviate(const Set& set, const JointCell& cell, Finite finite, double chord, std::vector<double>& beyond) const;
   // This holds for the set's quaternions throughout the cell, with the signs that skinning gives them at each moment.
   struct Rotations {
     bool keep_signs;              // the signs are those of the first corner

@@ -87,6 +87,7 @@ struct Obb {
     S least(0), greatest(0);
     for (int i = 0; i < 3; ++i) {
       const S share = dot(d, axes[i]);
+      if (equal(share, S(0)) == Verdict::holds) continue;  // a side may be infinite
       const S a = share * low[i], b = share * high[i];
       least = least + min_of(a, b);
       greatest = greatest + max_of(a, b);

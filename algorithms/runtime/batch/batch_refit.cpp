@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "algorithms/runtime/batch/single_precision.hpp"
 #include "algorithms/runtime/packs/float_above.hpp"
@@ -39,6 +40,7 @@ float added_stretch(double stretch) {
 
 const PackedBalls& BatchRefit::spherical(const SkinningPalette<double>& palette, Target target) {
   const DefaultFloatEnvironment environment;
+  if (palette.is_affine()) throw std::invalid_argument("batch: a palette of affine joints is for linear skinning");
   numbers_.clear(), first_number_.clear();
   for (std::size_t s = 0; s < palette.size(); ++s) {
     const PaletteEntry<double> set = palette[s];

@@ -35,7 +35,7 @@ class PackedVertices {
   std::span<const int> vertices(int group) const;
 
   // Skins one group; out.blocks grows as needed and is used again. palette must come from make_skinning_palette for this model
-  // with the same skinning, or have affine joints. The same holds for skin_all.
+  // with the same skinning, or have affine joints, which are blended linearly whatever the skinning. The same holds for skin_all.
   void skin_group(int group, const SkinningPalette<double>& palette, Skinning skinning, SkinnedVertices& out,
                   Target target = best_target()) const;
 

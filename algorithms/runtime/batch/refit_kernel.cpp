@@ -155,14 +155,18 @@ void weight_vertex_balls(const BlockSet& set, const FrameNumbers& frame, const V
                          Quaternion<S>* units, WeightVertexBalls& out) {
   const float* numbers = frame.numbers + frame.first[set.joint_set];
   switch (set.joint_count) {
-    case 1: return Blending::template weight_vertex_balls<1, 1>(set, numbers, p, r, read, units, out);
+    case 1:
+      if (set.weight_vertex_count == 1) return Blending::template weight_vertex_balls<1, 1>(set, numbers, p, r, read, units, out);
+      break;  // others repeat it
     case 2:
       if (set.weight_vertex_count == 2) return Blending::template weight_vertex_balls<2, 2>(set, numbers, p, r, read, units, out);
-      return Blending::template weight_vertex_balls<2, 1>(set, numbers, p, r, read, units, out);
+      if (set.weight_vertex_count == 1) return Blending::template weight_vertex_balls<2, 1>(set, numbers, p, r, read, units, out);
+      break;  // others are between two of them
     case 3: return Blending::template weight_vertex_balls<3, 0>(set, numbers, p, r, read, units, out);
     case 4: return Blending::template weight_vertex_balls<4, 0>(set, numbers, p, r, read, units, out);
-    default: return Blending::template weight_vertex_balls<0, 0>(set, numbers, p, r, read, units, out);
+    default: break;
   }
+  return Blending::template weight_vertex_balls<0, 0>(set, numbers, p, r, read, units, out);
 }
 
 void store(const S& x, Lanes<float>& to, int first) { x.copy_to(to.lane.data() + first, std::experimental::element_aligned); }

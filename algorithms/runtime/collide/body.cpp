@@ -49,6 +49,7 @@ TrianglePoints Body::triangle(int triangle) {
 const Point3& Body::vertex(int v) {
   const DefaultFloatEnvironment environment;
   if (!made_.is_made(v)) {
+    balls_.require_frame();
     skinned_[v] = blend<double>(skinning_, palette_[character_.sets.of_vertex(v)], character_.sets.weights(v),
                                 is_deformed_ ? reference_->vertex(v) : character_.mesh.vertices[v]);
     made_.mark(v);

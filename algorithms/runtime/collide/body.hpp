@@ -21,6 +21,7 @@ class Body {
         balls_(character, variant, options),
         made_(character.mesh.vertices.size()),
         skinned_(character.mesh.vertices.size()) {}
+  Body(const Body&) = delete;  // a copy would refit with the palette of this one
 
   // Starts a frame. Throws ModelError for a pose that make_skinning_palette refuses, and for a deformation that
   // check_deformation refuses.
@@ -30,6 +31,7 @@ class Body {
   void begin(const AffinePose& pose, const std::vector<double>& weights = {});
 
   const Character& character() const { return character_; }
+  // These throw std::logic_error before the first frame.
   // Returns the ball of a node, in model space of this frame.
   const Ball3<double>& ball(int node) { return balls_[node]; }
   // Returns the skinned vertices of a triangle, in model space of this frame. They are the very doubles that skin() yields.

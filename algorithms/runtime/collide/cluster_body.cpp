@@ -49,7 +49,7 @@ ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
 
 void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placement, const Deformation& deformation) {
   const DefaultFloatEnvironment environment;
-  check_placement(placement, "a body's placement");
+  check_placement(placement, tree_.character().mesh.name, "the body's placement");
   const SkinnedMesh& mesh = tree_.character().mesh;
   std::optional<Box<double>> bound;
   are_joints_placed_ = false;  // a frame before does without them if this one is refused
@@ -77,7 +77,7 @@ void ClusterBody::begin(const AffinePose& pose, const RigidTransform<double>& pl
     return begin(rigid, placement, {weights, scales});
   }
   const DefaultFloatEnvironment environment;
-  check_placement(placement, "a body's placement");
+  check_placement(placement, tree_.character().mesh.name, "the body's placement");
   check_pose(tree_.character().mesh, pose);
   const DeformedReference* const reference = deform({weights, {}});
   clusters_.begin(pose, placement, placement.translation, reference);
@@ -109,6 +109,7 @@ void ClusterBody::start() {
 
 void ClusterBody::make_motion_bound() {
   const DefaultFloatEnvironment environment;
+  clusters_.require_frame();
   if (!is_deformed_) return set_motion_bound(motion_bound_.box(pose_, placement_));
   motion_bound_box_ = box_of_deformed(0);
   const Point3& to = placement_.translation;
@@ -149,11 +150,14 @@ void ClusterBody::skin_all() {
 
 void ClusterBody::bound_wide_node(int f) {
   const DefaultFloatEnvironment environment;
+  clusters_.require_frame();
   const WideNode& wide_node = tree_.wide_nodes()[f];
   BoxBlock<float>* blocks = &wide_node_blocks_[first_block_of_wide_node_[f]];
   Box<float>& whole = wide_node_boxes_[f] = Box<float>::empty();
-  wide_nodes_made_.mark(f);
-  if (is_all_skinned_ || (is_rather_skinned_ && f > 0 && has_only_clusters(f))) return box_skinned(wide_node, blocks, whole);
+  if (is_all_skinned_ || (is_rather_skinned_ && f > 0 && has_only_clusters(f))) {
+    box_skinned(wide_node, blocks, whole);
+    return wide_nodes_made_.mark(f);
+  }
   const std::span<FlippedBox> flipped(flipped_.data(), wide_node.child_count);
   const std::span<Box<double>> boxes(boxes_.data(), wide_node.child_count);
   // The boxes are as seen from the placement's translation, which is the clusters' origin.
@@ -168,6 +172,7 @@ void ClusterBody::bound_wide_node(int f) {
   nodes_bounded_ += wide_node.child_count;
   work_ += work_of_motion_bounds * static_cast<long>(wide_node.motion_bounds.size()) +
            long{work_of_bounded_node} * wide_node.child_count;
+  wide_nodes_made_.mark(f);
 }
 
 void ClusterBody::bound_by_pieces(const WideNode& wide_node, std::span<FlippedBox> flipped, std::span<Box<double>> boxes) {

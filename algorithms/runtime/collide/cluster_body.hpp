@@ -29,6 +29,7 @@ class ClusterBody {
 
   const ClusterTree& tree() const { return tree_; }
 
+  // All that makes something throws std::logic_error before the first frame.
   // Returns a box in the world around the whole body, made from the joints alone; see MotionBound. With a deformation, it is around the
   // root's ball, which has all triangles.
   const Box<double>& motion_bound() {

@@ -10,10 +10,14 @@
 namespace refitlab {
 namespace {
 
-// Returns the first of the remembered pairs that still touches.
+// Returns the first of the remembered pairs that still touches. A memory of other bodies may remember triangles that these do not have.
 std::optional<TrianglePair> still_touching(ClusterBody& first, ClusterBody& second, const PairMemory& memory,
                                            QueryCounts& counts) {
+  const auto has = [](const ClusterBody& body, int triangle) {
+    return triangle >= 0 && static_cast<std::size_t>(triangle) < body.tree().character().mesh.triangles.size();
+  };
   for (const TrianglePair& pair : memory.pairs()) {
+    if (!has(first, pair.first) || !has(second, pair.second)) continue;
     ++counts.triangle_tests;
     if (triangles_meet(first.triangle(pair.first), second.triangle(pair.second))) return pair;
   }
@@ -27,6 +31,7 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
   if (memory && query == Query::yes_no)
     if (const auto pair = still_touching(first, second, *memory, counts)) {
       memory->remember(*pair);
+      memory->are_near = memory->are_touching = true;
       return {*pair};
     }
   // Near bodies are told apart by their wide nodes, if at all.

@@ -102,8 +102,8 @@ TrianglePoints place(const RigidTransform<double>& placement, const TrianglePoin
 
 std::vector<TrianglePair> collide(const PlacedBody& first, const PlacedBody& second, Query query, QueryCounts& counts) {
   const DefaultFloatEnvironment environment;
-  check_placement(first.placement, "collide: the placement of the first body");
-  check_placement(second.placement, "collide: the placement of the second body");
+  check_placement(first.placement, first.body.character().mesh.name, "the placement of the first body");
+  check_placement(second.placement, second.body.character().mesh.name, "the placement of the second body");
   return Traversal(first, second, query, counts).run();
 }
 

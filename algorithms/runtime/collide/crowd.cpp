@@ -5,6 +5,8 @@
 #include <exception>
 #include <mutex>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
 
@@ -34,6 +36,21 @@ std::vector<std::pair<int, int>> meeting(const std::vector<Box<double>>& boxes) 
       if (!are_apart(boxes[order[i]], boxes[order[j]])) pairs.push_back(std::minmax(order[i], order[j]));
   std::sort(pairs.begin(), pairs.end());
   return pairs;
+}
+
+// Throws std::invalid_argument unless all are there, and different.
+void check(std::span<ClusterBody* const> bodies) {
+  std::vector<std::pair<const ClusterBody*, std::size_t>> order;
+  order.reserve(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies[i]) throw std::invalid_argument("collide_all: body " + std::to_string(i) + " is null");
+    order.emplace_back(bodies[i], i);
+  }
+  std::sort(order.begin(), order.end());
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (order[i].first == order[i - 1].first)
+      throw std::invalid_argument("collide_all: body " + std::to_string(order[i].second) + " is body " +
+                                  std::to_string(order[i - 1].second) + " again");
 }
 
 // Calls body(i) for each i < count. The first exception that one of them throws is thrown here, after all have ended.
@@ -68,6 +85,7 @@ Workers one_worker() {
 
 std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query query, CrowdCounts& counts, const Workers& workers) {
   const DefaultFloatEnvironment environment;
+  check(bodies);
   std::vector<Box<double>> boxes(bodies.size());
   for_each(workers, bodies.size(), [&](std::size_t i) { boxes[i] = bodies[i]->motion_bound(); });
   const auto pairs = meeting(boxes);

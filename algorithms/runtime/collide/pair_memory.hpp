@@ -17,8 +17,8 @@ class PairMemory {
   // Returns the pairs that touched. The latest comes first.
   const std::vector<TrianglePair>& pairs() const { return pairs_; }
 
-  // Adds one of the pairs found in a frame. If it is known, it moves to the front.
-  void remember(const TrianglePair& pair) {
+  // Adds one of the pairs found in a frame. If it is known, it moves to the front. It may be one of pairs().
+  void remember(TrianglePair pair) {
     std::erase(pairs_, pair);
     if (pairs_.size() == most) pairs_.pop_back();
     pairs_.insert(pairs_.begin(), pair);

@@ -15,11 +15,11 @@ inline constexpr double lost_of_placements = 160 * 0x1p-53;
 
 // Throws std::invalid_argument for a placement that is not finite or whose rotation differs from unit length by more than
 // 1e-6. The message contains the given name.
-inline void check_placement(const RigidTransform<double>& placement, const char* name) {
+inline void check_placement(const RigidTransform<double>& placement, const std::string& of, const char* name) {
   if (!placement.rotation.allFinite() || !placement.translation.allFinite())
-    throw std::invalid_argument(std::string(name) + " is not finite");
+    throw std::invalid_argument(of + ": " + name + " is not finite");
   if (!(std::abs(squared_norm(placement.rotation) - 1) <= 1e-6))
-    throw std::invalid_argument(std::string(name) + " is not rigid: its rotation is no quaternion of unit length");
+    throw std::invalid_argument(of + ": " + name + " is not rigid: its rotation is no quaternion of unit length");
 }
 
 }  // namespace refitlab

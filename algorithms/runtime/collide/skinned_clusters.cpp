@@ -70,6 +70,7 @@ void SkinnedClusters::begin(const AffinePose& pose, const RigidTransform<double>
 
 void SkinnedClusters::start(const RigidTransform<double>& placement, const Point3& origin, const DeformedReference* reference) {
   const DefaultFloatEnvironment environment;
+  is_begun_ = true;
   reference_ = reference;
   placement_ = placement;
   origin_ = origin;
@@ -82,8 +83,13 @@ void SkinnedClusters::start(const RigidTransform<double>& placement, const Point
   clusters_skinned_ = vertices_skinned_ = work_ = 0;
 }
 
+void SkinnedClusters::require_frame() const {
+  if (!is_begun_) throw std::logic_error(tree_.character().mesh.name + ": no frame was begun");
+}
+
 void SkinnedClusters::make_all_palettes() {
   const DefaultFloatEnvironment environment;
+  require_frame();
   if (!pose_) return;  // affine joints have no palette in float
   for (int part = 0; part < palette_packs_.part_count(); ++part) make_float_palette(part);
 }
@@ -102,6 +108,7 @@ void SkinnedClusters::skin_all() {
 
 void SkinnedClusters::skin_cluster(int n) {
   const DefaultFloatEnvironment environment;
+  require_frame();
   FloatCluster& out = clusters_[n];
   out.blocks.resize(3 * tree_.floats().block_count(n));
   if (can_skin_in_float(n)) skin_in_float(n, out);
@@ -151,6 +158,7 @@ void SkinnedClusters::skin_in_double(int n, FloatCluster& out) {
 }
 
 const SkinningPalette<double>& SkinnedClusters::whole_palette() {
+  require_frame();
   for (int set = 0; set < tree_.character().sets.count(); ++set) make_palette(set);
   return palette();
 }
@@ -170,19 +178,19 @@ void SkinnedClusters::make_palette(int joint_set) {
 
 void SkinnedClusters::skin_block(int n, int block) {
   const DefaultFloatEnvironment environment;
+  require_frame();
   constexpr int lanes = Lanes<double>::count;
   const Cluster& cluster = tree_.clusters()[n];
   if (padded_vertices_.empty())
     padded_vertices_.resize(tree_.clusters().back().first_vertex + tree_.clusters().back().padded_vertex_count);
   PaddedVertex* const out = &padded_vertices_[cluster.first_vertex + lanes * block];
   const int* const vertices = &tree_.vertices().vertices(n)[lanes * block];
-  blocks_made_.mark(cluster.first_vertex / lanes + block);
   if (reference_) {
     for (int lane = 0; lane < lanes; ++lane) {
       const Point3 p = vertex_in_world(vertices[lane]);
       out[lane] = {p[0], p[1], p[2], 0};
     }
-    return;
+    return blocks_made_.mark(cluster.first_vertex / lanes + block);
   }
   make_palette(tree_.character().sets.of_vertex(vertices[0]));
   Lanes<double> skinned[3];
@@ -191,6 +199,7 @@ void SkinnedClusters::skin_block(int n, int block) {
                               placement_.rotation[3],   placement_.translation[0], placement_.translation[1],
                               placement_.translation[2]};
   box_kernels(best_target()).place(skinned, 1, placement, out);
+  blocks_made_.mark(cluster.first_vertex / lanes + block);
 }
 
 Point3 SkinnedClusters::vertex_in_world(int v) {
@@ -203,6 +212,7 @@ Point3 SkinnedClusters::vertex_in_world(int v) {
 
 TrianglePoints SkinnedClusters::triangle(int triangle) {
   const DefaultFloatEnvironment environment;
+  require_frame();
   const Triangle& t = tree_.character().mesh.triangles[triangle];
   return {vertex_in_world(t[0]), vertex_in_world(t[1]), vertex_in_world(t[2])};
 }

@@ -48,6 +48,9 @@ class SkinnedClusters {
   void begin(const AffinePose& pose, const RigidTransform<double>& placement, const Point3& origin,
              const DeformedReference* reference = nullptr);
 
+  // Throws std::logic_error before the first frame, and so does what is below that makes something.
+  void require_frame() const;
+
   const ClusterTree& tree() const { return tree_; }
   const Point3& origin() const { return origin_; }
 
@@ -114,6 +117,7 @@ class SkinnedClusters {
   std::vector<PaddedVertex> padded_vertices_;  // by position, cluster after cluster, when the first is asked for
   const long work_of_all_;
   long clusters_skinned_ = 0, vertices_skinned_ = 0, work_ = 0;
+  bool is_begun_ = false;
 };
 
 }  // namespace refitlab

@@ -67,14 +67,15 @@ FrameRefits::FrameRefits(const Character& character, const RefitVariant& variant
 }
 
 void FrameRefits::begin(const SkinningPalette<double>& palette, DeformedReference* reference) {
-  if (!palette.is_measured()) throw std::invalid_argument("refit: the palette was filled by hand, and not measured");
-  if (palette.is_affine() && variant_.skinning != Skinning::linear)
-    throw std::invalid_argument("refit: a palette of affine joints is for linear skinning, which " + variant_.name +
-                                " does not bound");
+  check_palette(palette, variant_);
   palette_ = &palette;
   reference_ = reference;
   std::fill(refitted_.begin(), refitted_.end(), 0);
   made_.begin();
+}
+
+void FrameRefits::require_frame() const {
+  if (!palette_) throw std::logic_error(character_.mesh.name + ": no frame was begun");
 }
 
 const Ball3<double>& FrameRefits::operator[](int node) {
@@ -88,6 +89,7 @@ void FrameRefits::refit_all() {
 
 void FrameRefits::refit(int n) {
   const DefaultFloatEnvironment environment;
+  require_frame();
   const TreeNode& node = character_.tree.nodes[n];
   if (!cut_[n].empty()) balls_[n] = through_descendants(n);
   else if (reference_) balls_[n] = variant_.refit(reference_->refit_node(n, *palette_));

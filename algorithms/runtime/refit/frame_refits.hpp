@@ -37,8 +37,11 @@ class FrameRefits {
   // the palette is not measured, or if it is one of affine joints and the skinning is not linear.
   void begin(const SkinningPalette<double>& palette, DeformedReference* reference = nullptr);
 
+  // Throws std::logic_error before the first frame.
+  void require_frame() const;
+
   // Returns a ball that encloses all vertices of the node in this frame's pose, if the variant is sound. The reference is
-  // valid until begin.
+  // valid until begin. Throws what require_frame does.
   const Ball3<double>& operator[](int node);
 
   // Makes all balls, children before parents.

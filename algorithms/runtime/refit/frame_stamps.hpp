@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FrameStamps records which objects were made in the current frame. A new frame forgets all of them at once.
+// FrameStamps records which objects were made in the current frame. A new frame forgets all of them at once. Nothing is made before the
+// first.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +23,8 @@ class FrameStamps {
   void mark(int i) { frame_of_[i] = frame_; }
 
  private:
-  std::uint32_t frame_ = 0;
-  std::vector<std::uint32_t> frame_of_;
+  std::uint32_t frame_ = 1;
+  std::vector<std::uint32_t> frame_of_;  // 0 for none
 };
 
 }  // namespace refitlab

@@ -3,6 +3,8 @@
 // algorithms/runtime/skinning/palette_rounding.hpp.
 #pragma once
 
+#include <limits>
+
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/tree/refit_node.hpp"
 
@@ -21,7 +23,9 @@ S rounding_of_pieces(const RefitNode<S>& node) {
     const RoundingRates<S>& rates = node.is_vertex(set) ? rounding.vertex : rounding.weight_vertices;
     const S reach = twice_r + (skinning == Skinning::spherical ? upper_norm<S>(p - node.palette.rotation_center(set.joint_set))
                                                                : length);  // at least ||x|| + r of the piece
-    worst = max_of(worst, S(rates.per_length * reach + rates.per_radius * node.reference.radius + rates.offset));
+    const S off(rates.per_length * reach + rates.per_radius * node.reference.radius + rates.offset);
+    if (!(off <= std::numeric_limits<S>::max())) return std::numeric_limits<S>::infinity();  // of an infinite rate times 0, too
+    worst = max_of(worst, off);
   }
   return worst;
 }

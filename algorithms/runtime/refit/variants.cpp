@@ -127,8 +127,16 @@ const RefitVariant& variant_named(const std::string& name, const std::vector<Ref
 
 const RefitVariant& refit_variant(const std::string& name) { return variant_named(name, refit_variants()); }
 
+void check_palette(const SkinningPalette<double>& palette, const RefitVariant& variant) {
+  if (!palette.is_measured()) throw std::invalid_argument("refit: the palette was filled by hand, and not measured");
+  if (palette.is_affine() && variant.skinning != Skinning::linear)
+    throw std::invalid_argument("refit: a palette of affine joints is for linear skinning, which " + variant.name +
+                                " does not bound");
+}
+
 std::vector<Ball3<double>> refit_all(const Character& character, const RefitVariant& variant,
                                      const SkinningPalette<double>& palette) {
+  check_palette(palette, variant);
   std::vector<Ball3<double>> balls;
   for (std::size_t n = 0; n < character.tree.nodes.size(); ++n)
     balls.push_back(variant.refit(character.refit_node(static_cast<int>(n), palette, variant.pieces)));

@@ -38,7 +38,10 @@ const RefitVariant& default_variant(Skinning skinning);
 const RefitVariant& refit_variant(const std::string& name);
 const RefitVariant& variant_named(const std::string& name, const std::vector<RefitVariant>& variants);
 
-// Returns the balls of all nodes. character must have the variant's pieces.
+// Throws std::invalid_argument for a palette that is not measured, or is one of affine joints unless the variant's skinning is linear.
+void check_palette(const SkinningPalette<double>& palette, const RefitVariant& variant);
+
+// Returns the balls of all nodes. character must have the variant's pieces. Throws what check_palette throws.
 std::vector<Ball3<double>> refit_all(const Character& character, const RefitVariant& variant,
                                      const SkinningPalette<double>& palette);
 

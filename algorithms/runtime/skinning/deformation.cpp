@@ -41,8 +41,12 @@ void check_deformation(const SkinnedMesh& mesh, const Deformation& deformation) 
                      "has " + std::to_string(deformation.weights.size()) + " weights for " + std::to_string(mesh.targets.count) +
                          " morph targets");
   double sum = 0;
-  for (const double weight : deformation.weights) sum += std::abs(weight);
-  if (!(sum <= largest_stretch)) throw ModelError(mesh.name, "pose", "its weights of morph targets are out of range, beyond 1e4");
+  for (std::size_t k = 0; k < deformation.weights.size(); ++k) {
+    if (!std::isfinite(deformation.weights[k]))
+      throw ModelError(mesh.name, "pose", "its weight of morph target " + std::to_string(k) + " is not finite");
+    sum += std::abs(deformation.weights[k]);
+  }
+  if (!(sum <= largest_stretch)) throw ModelError(mesh.name, "pose", "its weights of morph targets sum to more than 1e4");
 }
 
 SkinningPalette<double> make_scale_palette(const SkinnedMesh& mesh, const JointSets& sets, const AffinePose& scales) {

@@ -77,7 +77,7 @@ struct PaletteScales {
   S joints;         // n
   S center_image;   // T, the longest C_j r_c
   S translation;    // t, the longest t_j
-  S inverse_blend;  // kappa: at least 1 / ||sum w_i q_i|| for all convex weights, but at most 1 / sqrt(least_squared_length)
+  S inverse_blend;  // kappa: at least 1 / ||sum w_i q_i|| for all convex weights, but at most sqrt(2 / least_squared_length)
   S unit_defect;    // the greatest | ||q_j||^2 - 1 |
   S matrix;         // F of affine joints, to which the scales of rotations do not apply
 };
@@ -92,6 +92,8 @@ S stretch_of(const AffineMap<S>& map) {
 
 // Measures the scales. Let d be the least ||q_i||^2, and c the least (q_i, q_j) of all pairs, or d if that is less. Then
 //   ||sum w_i q_i||^2 >= d sum w_i^2 + c (1 - sum w_i^2) >= c + (d - c) / n.
+// Shorter blends than least_squared_length allows are none of weight vertices. Between such that are 60 degrees apart at most, and in caps of
+// up to 45 degrees, they are shorter by sqrt(1/2) at most.
 template <class S>
 PaletteScales<S> measure_palette(std::span<const RigidTransform<S>> transforms, std::span<const Vec<S, 3>> center_images) {
   static_assert(std::is_floating_point_v<S>);
@@ -108,7 +110,7 @@ PaletteScales<S> measure_palette(std::span<const RigidTransform<S>> transforms, 
   for (const Vec<S, 3>& c : center_images) image = max_of(image, squared_norm(c));
   dot_product = min_of(dot_product, shortest);
   const S n(static_cast<double>(transforms.size()));
-  const S squared_blend = max_of(S(dot_product + (shortest - dot_product) / n - rounding), S(least_squared_length<S>()));
+  const S squared_blend = max_of(S(dot_product + (shortest - dot_product) / n - rounding), S(least_squared_length<S>() / 2));
   return {n, root(image) * up, root(translation) * up, up / root(squared_blend), defect + rounding, S(0)};
 }
 

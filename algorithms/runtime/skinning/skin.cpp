@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/skinning/skin.hpp"
 
+#include <stdexcept>
+
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
 
@@ -9,6 +11,8 @@ namespace refitlab {
 std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette,
                          Skinning skinning, const Deformation& deformation) {
   const DefaultFloatEnvironment environment;
+  if (palette.is_affine() && skinning != Skinning::linear)
+    throw std::invalid_argument(mesh.name + ": a palette of affine joints is for linear skinning");
   std::vector<Point3> deformed, out;
   if (!deformation.is_none()) deformed = deformed_vertices(mesh, sets, deformation);
   const std::vector<Point3>& vertices = deformation.is_none() ? mesh.vertices : deformed;

@@ -7,7 +7,8 @@
 namespace refitlab {
 
 // Returns the deformed vertices by index, in model space of the animated pose. palette must come from make_skinning_palette
-// with the same skinning. Throws ModelError for a deformation that check_deformation refuses.
+// with the same skinning. Throws ModelError for a deformation that check_deformation refuses, and std::invalid_argument for a palette of
+// affine joints unless the skinning is linear.
 std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette,
                          Skinning skinning, const Deformation& deformation = {});
 

@@ -161,12 +161,15 @@ class SkinningPalette {
     for (std::size_t s = 0; s < size(); ++s) measure((*this)[s]);
   }
 
-  // Appends a complete joint-set.
+  // Appends a complete joint-set, of affine joints if it has maps. What it has not of center images and dual parts is 0.
   void push_back(const PaletteEntry<S>& palette) {
+    if (!palette.maps.empty()) return push_back_affine(palette.maps);
     transforms_.insert(transforms_.end(), palette.transforms.begin(), palette.transforms.end());
     rotation_centers_.push_back(palette.rotation_center);
     center_images_.insert(center_images_.end(), palette.center_images.begin(), palette.center_images.end());
     duals_.insert(duals_.end(), palette.duals.begin(), palette.duals.end());
+    center_images_.resize(transforms_.size(), Vec<S, 3>(S(0), S(0), S(0)));
+    duals_.resize(transforms_.size(), Quaternion<S>(S(0), S(0), S(0), S(0)));
     first_.push_back(transforms_.size());
     measure_last();
   }

@@ -43,7 +43,7 @@ BakedFile baked_of(std::string_view bytes, const std::string& path) {
   const auto part = [&] {
     std::uint64_t size = 0;
     in.number(size);
-    return in.take(in.checked_count(size));
+    return in.take(size);
   };
   const std::string_view character = part(), clusters = part();
   in.end();

@@ -39,15 +39,10 @@ class BinaryReader {
       bits = static_cast<binary::Bits<T>>(bits | static_cast<binary::Bits<T>>(static_cast<unsigned char>(taken[i])) << (8 * i));
     x = std::bit_cast<T>(bits);
   }
-  // A member of a list takes at least a byte, so a count never makes room for more members than the file could have.
-  std::size_t checked_count(std::uint64_t count) const {
-    if (count > bytes_.size()) throw ModelError(file_, "file", "ends early");
-    return static_cast<std::size_t>(count);
-  }
-  std::string_view take(std::size_t count) {
+  std::string_view take(std::uint64_t count) {
     if (bytes_.size() < count) throw ModelError(file_, "file", "ends early");
-    const std::string_view taken = bytes_.substr(0, count);
-    bytes_.remove_prefix(count);
+    const std::string_view taken = bytes_.substr(0, static_cast<std::size_t>(count));
+    bytes_.remove_prefix(taken.size());
     return taken;
   }
   std::string_view rest() const { return bytes_; }
@@ -60,6 +55,22 @@ class BinaryReader {
   std::string_view bytes_;
   const std::string& file_;
 };
+
+// Transfers the length of a list, to a BinaryWriter or from a BinaryReader, and then each member by transfer(member). What is read is
+// appended to the list, which is empty, one by one: a length that no file could have makes room for no more than the file has.
+template <class List>
+void transfer_members(auto& io, List& list, const auto& transfer_member) {
+  std::uint64_t count = list.size();
+  io.number(count);
+  if constexpr (std::is_const_v<List>) {
+    for (const auto& member : list) transfer_member(member);
+  } else {
+    for (; count > 0; --count) {
+      list.push_back(typename List::value_type());
+      transfer_member(list.back());
+    }
+  }
+}
 
 // Returns the magic, the version, the body's size and checksum (FNV-1a of 64 bits), and the body.
 std::string sealed(std::string_view magic, std::uint32_t version, std::string_view body);

@@ -14,12 +14,8 @@ constexpr std::uint32_t version = 2;
 // Transfers the fields of everything in a file, for writing or for reading. `io` has a function for each kind of number.
 void transfer(auto& io, auto& x);
 
-template <class T>
-void transfer_list(auto& io, T& list) {
-  std::uint64_t count = list.size();
-  io.number(count);
-  if constexpr (!std::is_const_v<T>) list.resize(io.checked_count(count));
-  for (auto& member : list) transfer(io, member);
+void transfer_list(auto& io, auto& list) {
+  transfer_members(io, list, [&](auto& member) { transfer(io, member); });
 }
 
 void transfer(auto& io, auto& x) {

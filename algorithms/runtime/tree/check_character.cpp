@@ -7,13 +7,18 @@
 namespace refitlab {
 namespace {
 
+// A level halves the triangles. The sizes of what is made of a tree grow with its levels.
+constexpr int most_levels = 64;
+
 // Returns whether first, ..., first + count - 1 are indices of a list.
 bool is_range(long first, long count, std::size_t size) {
   return first >= 0 && count >= 0 && static_cast<std::size_t>(first + count) <= size;
 }
 
 bool is_ball(const Ball3<double>& ball) {
-  return ball.center.cwiseAbs().maxCoeff() <= largest_coordinate && ball.radius >= 0 && ball.radius <= 4 * largest_coordinate;
+  // A greatest coefficient of some with a NaN may be another.
+  return ball.center.allFinite() && ball.center.cwiseAbs().maxCoeff() <= largest_coordinate && ball.radius >= 0 &&
+         ball.radius <= 4 * largest_coordinate;
 }
 
 // Returns what is wrong with a piece, or nothing.
@@ -73,6 +78,7 @@ class TreeCheck {
     for (int n = 0; n < static_cast<int>(tree_.nodes.size()); ++n) {
       const TreeNode& node = tree_.nodes[n];
       require(is_ball(node.reference), n, "its ball is none");
+      require(node.level <= most_levels, n, "is below more than 63 others");
       check_pieces_of(n);
       require(node.child_count >= 0, n, "has less than no children");
       if (node.child_count == 0) {

@@ -15,14 +15,8 @@ constexpr std::uint32_t clusters_version = 3;
 std::size_t slab_count(const ClusterBounds& bounds) { return is_dop_size(bounds.dop) ? bounds.dop / 2 - 3 : 0; }
 
 // These transfer the fields of everything in a file, for writing or for reading.
-void transfer_members(auto& io, auto& list, const auto& transfer_member) {
-  std::uint64_t count = list.size();
-  io.number(count);
-  if constexpr (requires { io.checked_count(count); }) list.resize(io.checked_count(count));
-  for (auto& member : list) transfer_member(member);
-}
-
-void transfer_clusters(auto& io, auto& bounds) {
+template <class Bounds>
+void transfer_clusters(auto& io, Bounds& bounds) {
   const auto number = [&](auto& x) { io.number(x); };
   number(bounds.dop);
   transfer_members(io, bounds.primitives, [&](auto& p) { number(p.node), number(p.mesh), number(p.primitive), number(p.skin); });
@@ -31,7 +25,7 @@ void transfer_clusters(auto& io, auto& bounds) {
     for (auto* point : {&part.box.low, &part.box.high, &part.ball.center})
       for (int i = 0; i < 3; ++i) number((*point)[i]);
     number(part.ball.radius);
-    if constexpr (requires { io.checked_count(0); }) part.slabs.resize(slab_count(bounds));
+    if constexpr (!std::is_const_v<Bounds>) part.slabs.resize(slab_count(bounds));
     for (auto& slab : part.slabs) number(slab.low), number(slab.high);
   };
   transfer_members(io, bounds.clips, [&](auto& clip) {

@@ -51,7 +51,14 @@ export class CharacterView {
   load(model) {
     say(this.root, `building the ${model} …`);
     setTimeout(() => {
-      const c = this.character = this.geometry.character(model);
+      let c;
+      try {
+        c = this.geometry.character(model);
+      } catch (error) {
+        this.get('model').value = this.settings.model;
+        return say(this.root, error.message);
+      }
+      this.character = c;
       this.settings.model = model;
       this.options(this.get('joint'), c.joints.map(j => [j, j]));
       if (!c.joints.includes(this.settings.joint)) this.settings.joint = c.joints[c.twist_joint];
@@ -181,9 +188,10 @@ export class CharacterView {
     this.root.querySelector('.optimal').textContent =
         `Smallest ball of the ${view.ball_vertices} vertices of the ball that is looked at (green): radius ${view.ball_optimal.toPrecision(4)}.`;
     const own = view.summaries.find(v => v.variant === s.variant), bad = view.misses.filter(m => m).length;
-    say(this.root, own.vertices_outside || own.undefined
-        ? `${s.variant}: ${own.vertices_outside} vertices are outside ${bad} of ${own.balls} balls (orange).`
-        : `${s.variant}: all vertices are in their balls.`);
+    const faults = [];
+    if (own.vertices_outside) faults.push(`${own.vertices_outside} vertices are outside ${bad - own.undefined} of ${own.balls} balls (orange)`);
+    if (own.undefined) faults.push(`${own.undefined} of ${own.balls} balls are undefined, and not drawn`);
+    say(this.root, `${s.variant}: ${faults.join('; ') || 'all vertices are in their balls'}.`);
   }
 
   // The first ball that misses a vertex after the one that is looked at, or the largest.

@@ -99,7 +99,11 @@ EMSCRIPTEN_KEEPALIVE const char* character(const char* model) {
     const AnimatedCharacter& c = the_explorer().character(model);
     triangles.values.clear();
     for (const Triangle& t : c.mesh.triangles) triangles.values.insert(triangles.values.end(), t.begin(), t.end());
-    json out{{"triangles", triangles.place()}, {"levels", c.tree.level_count()}, {"twist_joint", twist_joint(c.mesh)}};
+    json out{{"triangles", triangles.place()},
+             {"levels", c.tree.level_count()},
+             {"twist_joint", twist_joint(c.mesh)},
+             {"joints", json::array()},
+             {"clips", json::array()}};
     for (const Joint& j : c.mesh.joints) out["joints"].push_back(j.name);
     for (const Clip& clip : c.clips) out["clips"].push_back({{"name", clip.name}, {"duration", clip.duration}});
     return out;

@@ -94,7 +94,10 @@ def directions_of(extras):
 
 def refitlab_extras(owner):
     extras = owner.get("extras")
-    return member(extras, "refitlab", dict, {}) if type(extras) is dict else {}
+    found = member(extras, "refitlab", dict, {}) if type(extras) is dict else {}
+    require(not found or (found.get("version") == 1 and found.get("skinning") == "linear"),
+            "extras.refitlab is not of version 1 and linear skinning")
+    return found
 
 
 class Bytes:

@@ -9,6 +9,7 @@ from .nodes import AnimatedNodes, animation_of, product
 from .rejected import require
 
 UNIT = 2.0 ** -53  # what a sum or product is off at most, relative to itself
+DENORMAL = 2.0 ** -1074  # or what it is off at most by underflow
 BATCH = 50000  # numbers that are handled at a time
 # By what share the checker's slack may be above the certificate's, which is not rounded upward; and how great one may be that the
 # certificate says is 0, relative to the length of what moves. What is used is the greater of both.
@@ -137,6 +138,8 @@ class Clip:
             np.maximum.at(most, target, numbers.max(axis=1))
         greatest = greatest + ((np.abs(weights) + weights_off) * longest).sum(axis=1)
         greatest_off = greatest_off + (weights_off * longest + np.abs(weights) * longest_off).sum(axis=1)
+        # A product that underflows loses a denormal number, which a matrix may enlarge.
+        greatest, greatest_off = (above(x + DENORMAL * (weights.shape[1] + 1)) for x in (greatest, greatest_off))
         # Of a coordinate, relative to what is summed up: 4 products and their sum, the displaced vertex, and the blend.
         rounding = 2 * UNIT * (np.bincount(self.vertices.influences[0]).max() + weights.shape[1] + 8)
         share, share_off = self.vertices.influences[2].middle_and_error()
@@ -145,7 +148,8 @@ class Clip:
         summed = (rows + rows_off) * greatest[:, None, None] + np.abs(middle[..., 3])
         summed_off = rows_off * greatest[:, None, None] + off[..., 3] + rows * greatest_off[:, None, None]
         error = summed_off.max(axis=(1, 2)) + rounding * summed.max(axis=(1, 2))
-        # Three coordinates make less than 1.8 of one; that covers the rounding of the error, too. What is denormal adds little more.
+        # Three coordinates make less than 1.8 of one; that covers the rounding of the error, too. What matrices and the blend
+        # lose by underflow is far less than 1e-290.
         return middle, weights, 1.8 * error + 1e-290
 
     def chains(self, start, end):
@@ -212,4 +216,5 @@ def beyond_ball(bound, _, placed):
     ball, squared = bound["ball"], 0.0
     for i, x in enumerate(placed):
         squared = squared + (x - ball[i]) ** 2
-    return above(np.sqrt(squared.max(axis=1)) * (1 + 8 * UNIT) - ball[3])
+    # Squares lose less than 2^-1073 by underflow, all three of them.
+    return above(np.sqrt(squared.max(axis=1)) * (1 + 8 * UNIT) + 2.0 ** -535 - ball[3])

@@ -64,6 +64,7 @@ def animation_of(glb, nodes, number):
     for channel in items(animation, "channels", dict):
         target = member(channel, "target", dict)
         if "node" not in target:  # as glTF lets readers ignore
+            require("KHR_animation_pointer" not in member(target, "extensions", dict, {}), "a channel moves what a pointer names")
             continue
         node, path = index(target, "node", len(nodes.list)), member(target, "path", str)
         require(path in SHAPES or path == "weights", f"a channel moves {json.dumps(path)[:40]}")

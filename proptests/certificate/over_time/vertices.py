@@ -55,6 +55,7 @@ class Vertices:
 
     def read_shown(self, n):
         node = self.nodes.list[n]
+        require("EXT_mesh_gpu_instancing" not in member(node, "extensions", dict, {}), "a node is shown in many places")
         mesh = index(node, "mesh", len(self.meshes))
         skin = index(node, "skin", len(self.skins)) if "skin" in node else -1
         count, first = target_count(self.meshes, node), len(self.targets)
@@ -63,7 +64,7 @@ class Vertices:
         self.resting += finite_numbers(weights, "weights", count, [0.0] * count)
         joints = self.joints_of(n, skin)
         for p, primitive in enumerate(items(self.meshes[mesh], "primitives", dict)):
-            corners = self.corners(primitive)
+            corners = self.corners(primitive) if "POSITION" in member(primitive, "attributes", dict) else ()
             if len(corners):
                 yield self.read_primitive(n, mesh, p, primitive, skin, corners, joints, first, count)
 
