@@ -7,6 +7,7 @@
 #include <random>
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
+#include "algorithms/bake/over_time/crossfaded_joints.hpp"
 #include "algorithms/bake/over_time/moving_vertices.hpp"
 #include "algorithms/bake/parallel.hpp"
 #include "algorithms/model/load.hpp"

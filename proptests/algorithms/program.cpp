@@ -191,7 +191,7 @@ double weight_of_moment(const std::string& said, const BakedFile& baked) {
   return weight <= 1 ? weight : -1;
 }
 
-void characters_nodes_and_crossfades(Suite& t) {
+void characters_and_nodes(Suite& t) {
   t.example("the baked character has the file's morph targets, and moves its vertices as they do", {}, [] {
     const Rich rich(true, true);
     const Character character = *read_baked(rich.folder.file("out.glb")).character;
@@ -249,6 +249,9 @@ void characters_nodes_and_crossfades(Suite& t) {
       return Checked(good, static_cast<long>(2 * slabs + 3), rich.called.errors + checked.out + found);
     });
   }
+}
+
+void crossfades(Suite& t) {
   t.example("crossfades of all clips are baked, checked, and found where a bound is too small", {}, [] {
     const gen::TemporaryFolder folder;
     const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), bad = folder.file("bad.glb");
@@ -657,7 +660,8 @@ PROPTEST(program) {
                    errors.str());
   });
   bounds_hold_and_are_checked(t);
-  characters_nodes_and_crossfades(t);
+  characters_and_nodes(t);
+  crossfades(t);
   what_is_said_of_a_file(t);
   reports_and_progress(t);
   strange_names_and_joints(t);
