@@ -48,7 +48,7 @@ void measure_fully(Options& o) {
   o.over_time = {.random_times = 10000, .halvings = 12, .exact_checks = 200};
   o.crossfades = {.times = 25, .weights = 9, .all_skinnings = true};
   o.over_time_growth = {.repetitions = 3, .subdivisions = 3, .up_to_a_million = true};
-  o.engines = {.times_per_clip = 10000, .speed = {.seconds_per_run = 0.05, .repetitions = 15}};
+  o.engines = {.times_per_clip = 10000, .speed = {.seconds_per_run = 0.05, .repetitions = 15}, .unseen_clips = true};
   o.deformations = {.times_per_clip = 20, .reduced = {.poses = 20}, .speed = {.seconds_per_run = 0.05, .repetitions = 15}};
 }
 

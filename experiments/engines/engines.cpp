@@ -40,7 +40,7 @@ class EngineExperiment {
         sets_(model),
         volumes_(model),
         settings_(settings) {
-    for (std::size_t c = 0; model.clips.size() > 1 && c < model.clips.size(); ++c)
+    for (std::size_t c = 0; settings.unseen_clips && model.clips.size() > 1 && c < model.clips.size(); ++c)
       of_other_clips_.emplace_back(model, expected_poses(model, c));
     result_.model = model.name;
     result_.vertices = static_cast<long>(model.vertices.size()), result_.joints = static_cast<long>(model.joints.size());
@@ -152,7 +152,7 @@ class EngineExperiment {
   const Model& model_;
   const JointSets sets_;
   const JointVolumes volumes_;
-  std::vector<RoundedBoxes> of_other_clips_;  // by clip: fitted to the others; none of a model of one clip
+  std::vector<RoundedBoxes> of_other_clips_;  // by clip: fitted to the others; of a model of one clip none
   const EngineSettings& settings_;
   EngineResult result_;
 };

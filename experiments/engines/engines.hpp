@@ -16,6 +16,7 @@ struct EngineSettings {
   int times_per_clip = 200;  // evenly spread
   int clips = 0;             // of a model at most; 0 for all
   SpeedSettings speed;
+  bool unseen_clips = false;  // fit rounded boxes to all other clips, too, for each clip, which takes a second each and more
 };
 
 // EnginePoses are a clip, or the turns of all joints, with one way of skinning.

@@ -153,8 +153,8 @@ inline auto fields(OverTimeGrowth& v) {
   return std::tie(by, length, triangles, clusters, seconds, bounding, all);
 }
 inline auto fields(EngineSettings& v) {
-  auto& [times, clips, speed] = v;
-  return std::tie(times, clips, speed);
+  auto& [times, clips, speed, unseen] = v;
+  return std::tie(times, clips, speed, unseen);
 }
 inline auto fields(BoxMeasure& v) {
   auto& [method, poses, misses, undecided, unbounded, flat, volume, area, radius, greatest, to_reference, by, at] = v;
