@@ -70,6 +70,11 @@ class Description {
     return found == object.end() ? nullptr : &*found;
   }
 
+  bool has_extension(const json& object, const char* name) const {
+    const json* extensions = member(object, "extensions");
+    return extensions && extensions->contains(name);
+  }
+
   const json& list(const json& object, const char* name, const std::string& thing) const {
     static const json none = json::array();
     const json* found = member(object, name);
@@ -166,8 +171,7 @@ class Description {
 
   json buffer(const json& from, const std::string& thing) const {
     json out = copied(from, thing, {{"byteLength", Kind::index}, {"uri", Kind::text}});
-    if (!from.contains("uri") && from.contains("extensions") && from["extensions"].is_object() &&
-        from["extensions"].contains("EXT_meshopt_compression"))
+    if (!from.contains("uri") && has_extension(from, "EXT_meshopt_compression"))
       refuse(thing, "has its bytes compressed by EXT_meshopt_compression, which is not read");
     const bool in_file = has_binary_ && &from == &whole_.at("buffers").front();
     if ((!out.contains("uri") && !in_file) || out.value("uri", "x").empty() || out.value("byteLength", 0) == 0)
@@ -198,7 +202,7 @@ class Description {
                        {"mesh", Kind::index},
                        {"skin", Kind::index},
                        {"weights", Kind::numbers}});
-    if (const json* extensions = member(from, "extensions"); extensions && extensions->contains("EXT_mesh_gpu_instancing"))
+    if (has_extension(from, "EXT_mesh_gpu_instancing"))
       refuse(thing, "is shown in the places of EXT_mesh_gpu_instancing, which is not read");
     return out;
   }
@@ -229,8 +233,7 @@ class Description {
     for (const json& p : list(from, "primitives", thing)) {
       const std::string at = thing + ", primitive " + std::to_string(out["primitives"].size());
       json primitive = copied(p, at, {{"attributes", Kind::attributes}, {"indices", Kind::index}, {"mode", Kind::index}});
-      const json* extensions = member(p, "extensions");
-      if (extensions && extensions->contains("KHR_draco_mesh_compression"))
+      if (has_extension(p, "KHR_draco_mesh_compression"))
         refuse(at, "is compressed by KHR_draco_mesh_compression, which is not read");
       for (const json& target : list(p, "targets", at))
         primitive["targets"].push_back(checked(target, {"targets", Kind::attributes}, at));
@@ -256,9 +259,7 @@ class Description {
       const json* target = member(c, "target");
       if (!target) refuse(at, "has no target");
       channel["target"] = copied(*target, at, {{"node", Kind::index}, {"path", Kind::text}});
-      const json* extensions = member(*target, "extensions");
-      if (extensions && extensions->contains("KHR_animation_pointer"))
-        refuse(at, "moves what KHR_animation_pointer says, which is not read");
+      if (has_extension(*target, "KHR_animation_pointer")) refuse(at, "moves what KHR_animation_pointer says, which is not read");
       if (channel["target"].contains("node")) out["channels"].push_back(channel);
     }
     for (const json& s : list(from, "samplers", thing)) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/engines/engine_methods.hpp"
 
-#include "algorithms/bake/over_time/model_bounds.hpp"
 #include "experiments/engines/bind_box.hpp"
 #include "experiments/over_time/sampled_boxes.hpp"
 
@@ -38,11 +37,6 @@ std::vector<Pose> expected_poses(const Model& model, std::optional<std::size_t> 
   return poses;
 }
 
-Box<double> with_room(Box<double> box) {
-  box.grow(ModelBoundsOptions{}.renderer_rounding * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff());
-  return box_of<double>(rounded_outward(box));
-}
-
 Pose rest_pose(const Model& model) { return pose(model.skeleton, Animation{}, 0).pose; }
 
 const std::vector<EngineMethod>& PoseMethods::methods() {
@@ -73,17 +67,13 @@ Box<double> PoseMethods::box(std::size_t method, const Pose& pose) {
     case of_rounded_boxes: matrices_.set(pose); return box_of<double>(volumes_.rounded_boxes.box(matrices_));
     case of_motion_bound: return motion_bound_.box(pose, {});
     case of_all_skinned: return truth(pose);
-    default: break;
+    default: matrices_.set(pose); return padded_pivots(box_of<double>(volumes_.pivots.box(matrices_)), padding_);
   }
-  matrices_.set(pose);
-  Box<double> box = box_of<double>(volumes_.pivots.box(matrices_));
-  box.grow(padding_);
-  return box;
 }
 
 std::vector<Box<double>> PoseMethods::boxes(const Pose& pose) {
   std::vector<Box<double>> out;
-  for (std::size_t m = 0; m < methods().size(); ++m) out.push_back(with_room(box(m, pose)));
+  for (std::size_t m = 0; m < methods().size(); ++m) out.push_back(box_of<double>(with_room(box(m, pose))));
   return out;
 }
 
@@ -108,7 +98,7 @@ std::vector<ClipBox> clip_boxes(const Model& model, const PlayedClip& clip, Pose
   for (const SamplingWay& way : sampling_ways()) boxes.push_back(merged(way, of_all_skinned));
   boxes.push_back(merged({"steps", 1 / seconds_a_step}, of_joint_boxes));
   std::vector<ClipBox> out;
-  for (std::size_t i = 0; i < boxes.size(); ++i) out.push_back({clip_methods()[i].name, with_room(boxes[i])});
+  for (std::size_t i = 0; i < boxes.size(); ++i) out.push_back({clip_methods()[i].name, box_of<double>(with_room(boxes[i]))});
   return out;
 }
 

@@ -63,9 +63,6 @@ class PoseMethods {
   double padding_;
 };
 
-// Returns a box that is larger by a renderer's rounding (ModelBoundsOptions::renderer_rounding), rounded outward to floats.
-Box<double> with_room(Box<double> box);
-
 // Returns the pose in which the file's nodes leave the joints. model has keys (with_keys).
 Pose rest_pose(const Model& model);
 

@@ -12,6 +12,7 @@
 #include "algorithms/verification/exact_skin.hpp"
 #include "experiments/over_time/exact_places.hpp"
 #include "experiments/over_time/over_time.hpp"
+#include "experiments/over_time/sampled_boxes.hpp"
 #include "experiments/scenes/skinning_name.hpp"
 #include "experiments/scenes/twist.hpp"
 
@@ -72,7 +73,7 @@ class EngineExperiment {
       const Pose pose = clip.sample(time);
       std::vector<Box<double>> boxes = methods.boxes(pose);
       for (const ClipBox& c : of_clip) boxes.push_back(c.box);
-      if (unseen) matrices.set(pose), boxes.push_back(with_room(box_of<double>(unseen->box(matrices))));
+      if (unseen) matrices.set(pose), boxes.push_back(box_of<double>(with_room(box_of<double>(unseen->box(matrices)))));
       const Box<double> truth = methods.truth(pose);
       // If places are closer to a wall than doubles can tell, 60 digits decide.
       measures.add(time, truth, boxes, error_of_places * size_of_place(truth), [&](std::size_t m) {

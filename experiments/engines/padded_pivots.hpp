@@ -34,12 +34,11 @@ S pivot_padding(const Box<S>& pivots, const Box<S>& mesh) {
   return most;
 }
 
-// Returns the padded box. pivots are those in the pose.
+// Returns the padded box. pivots is the box of the pivots in the pose.
 template <class S>
-Box<S> padded_pivots(std::span<const Vec<S, 3>> pivots, const S& padding) {
-  Box<S> box = box_around(pivots);
-  box.grow(padding);
-  return box;
+Box<S> padded_pivots(Box<S> pivots, const S& padding) {
+  pivots.grow(padding);
+  return pivots;
 }
 
 }  // namespace refitlab

@@ -19,13 +19,14 @@ std::vector<double> sampled_times(const SamplingWay& way, const std::vector<doub
   return times;
 }
 
+Box<float> with_room(Box<double> box) {
+  box.grow(ModelBoundsOptions{}.renderer_rounding * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff());
+  return rounded_outward(box);
+}
+
 std::vector<Box<float>> sampled_boxes(const WatchedClip& clip, const SamplingWay& way) {
   std::vector<Box<float>> boxes;
-  for (const Extremes& found : clip.at(sampled_times(way, clip.key_times()))) {
-    Box<double> box = found.box();
-    box.grow(ModelBoundsOptions{}.renderer_rounding * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff());
-    boxes.push_back(rounded_outward(box));
-  }
+  for (const Extremes& found : clip.at(sampled_times(way, clip.key_times()))) boxes.push_back(with_room(found.box()));
   return boxes;
 }
 

@@ -205,7 +205,7 @@ void cases_of_padded_pivots(Suite& t) {
               // By the angle of cosine 3/5, clockwise about z.
               const auto turn = oracle::affine_of<Rational>({2, 0, 0, -1}, {0, 0, 0});
               const RationalVec<3> turned = oracle::times(turn, vertex), expected(5, 0, 0);
-              const RationalBox box = padded_pivots<Rational>(pivots, padding);
+              const RationalBox box = padded_pivots<Rational>(box_around<Rational>(pivots), padding);
               return padding == 4 && is_inside(box, vertex) && turned == expected && !is_inside(box, turned);
             });
   t.example("padded pivots have no padding where the mesh is between two pivots, and miss what turns away",
@@ -216,7 +216,8 @@ void cases_of_padded_pivots(Suite& t) {
               // Half a turn about the second pivot, which stays.
               const RationalVec<3> turned = oracle::times(oracle::affine_of<Rational>({0, 0, 0, 1}, {4, 0, 0}), vertex),
                                    expected(3, 0, 0);
-              return padding == 0 && turned == expected && !is_inside(padded_pivots<Rational>(pivots, padding), turned);
+              return padding == 0 && turned == expected &&
+                     !is_inside(padded_pivots<Rational>(box_around<Rational>(pivots), padding), turned);
             });
   t.holds("padded pivots hold the mesh at rest, and with less padding they do not", {.number_type = "rational"}, [] {
     const auto mesh = *gen::list_with_repeats<RationalVec<3>>(1, 4, gen::rational_vector<3>()),
@@ -224,7 +225,7 @@ void cases_of_padded_pivots(Suite& t) {
     const auto box = box_around<Rational>(mesh);
     const Rational padding = pivot_padding(box_around<Rational>(pivots), box);
     const auto holds = [&](const Rational& some) {
-      const auto padded = padded_pivots<Rational>(pivots, some);
+      const auto padded = padded_pivots<Rational>(box_around<Rational>(pivots), some);
       return is_inside(padded, box.low) && is_inside(padded, box.high);
     };
     RC_ASSERT(padding >= 0);
