@@ -18,11 +18,21 @@ namespace {
 
 namespace po = boost::program_options;
 
+// The clip of this name or, if none has it, of this number: "#1" is the first.
 const Clip* clip_of(const std::vector<Clip>& clips, const std::string& file, const std::string& name) {
   if (name.empty()) return nullptr;
-  const auto found = std::find_if(clips.begin(), clips.end(), [&](const Clip& clip) { return clip.name == name; });
-  if (found == clips.end()) throw ModelError(file, "clip '" + name + "'", "there is no such clip");
-  return &*found;
+  const auto has_name = [&](const Clip& clip) { return clip.name == name; };
+  const auto found = std::find_if(clips.begin(), clips.end(), has_name);
+  if (found != clips.end()) {
+    const auto count = std::count_if(found, clips.end(), has_name);
+    if (count == 1) return &*found;
+    throw ModelError(file, "clip '" + name + "'",
+                     std::to_string(count) + " clips have this name: #" + std::to_string(found - clips.begin() + 1) +
+                         " is the first of them by its number");
+  }
+  for (std::size_t c = 0; c < clips.size(); ++c)
+    if (name == "#" + std::to_string(c + 1)) return &clips[c];
+  throw ModelError(file, "clip '" + name + "'", "there is no such clip");
 }
 
 // Returns a name such as "man.glb, clip walk at 0.5 s".
@@ -38,7 +48,7 @@ po::options_description collide_options() {
   add("help", "this text");
   for (const std::string side : {"a", "b"}) {
     const std::string body = side == "a" ? "A" : "B";
-    add(("clip-" + side).c_str(), ("the clip of " + body + "; else it rests").c_str(),
+    add(("clip-" + side).c_str(), ("the clip of " + body + ", by its name or, as #1, its number; else it rests").c_str(),
         po::value<std::string>()->default_value(""));
     add(("time-" + side).c_str(), "seconds", po::value<double>()->default_value(0));
   }

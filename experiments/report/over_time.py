@@ -43,14 +43,15 @@ def within_goal(results, **where):
 
 
 def cluster_ratio(results, **where):
-    """Returns the mean over all clusters that are not flat, in all clips."""
+    """Returns the mean over all clusters that are not flat, in all clips; None if all are."""
     ratios = results.select("over_time", variant="bounds", quantity="cluster_ratio", **where)
 
     def counted(row):
         same = dict(model=row.model, skinning=row.skinning, variant="bounds")
         return (results.number("over_time", pose="all", quantity="clusters", **same)
                 - results.number("over_time", pose=row.pose, quantity="flat_clusters", **same))
-    return weighted_mean([row.value for row in ratios], [counted(row) for row in ratios])
+    weights = [counted(row) for row in ratios]
+    return weighted_mean([row.value for row in ratios], weights) if any(weights) else None
 
 
 def seconds(results, by):

@@ -61,7 +61,7 @@ class Page:
 def environment():
     env = jinja2.Environment(loader=jinja2.FileSystemLoader(FOLDER / "templates"), autoescape=True, undefined=jinja2.StrictUndefined,
                              trim_blocks=True, lstrip_blocks=True)
-    env.filters["number"] = lambda value, pattern: pattern % value
+    env.filters["number"] = lambda value, pattern: "" if value is None else pattern % value
     env.filters["id"] = lambda title: "part" + re.sub(r"[^a-z0-9]+", "-", f" {title}".lower())
     return env
 

@@ -3,8 +3,10 @@
 #include "algorithms/bake/over_time/any_pose.hpp"
 
 #include <numeric>
+#include <random>
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
+#include "algorithms/bake/over_time/model_bounds.hpp"
 #include "algorithms/bake/over_time/moving_vertices.hpp"
 #include "proptests/gen/animated_model.hpp"
 #include "proptests/harness.hpp"
@@ -79,17 +81,111 @@ void vertices_stay_within_the_radius(Suite& t) {
                 static_cast<int>(std::upper_bound(joints.times().begin(), joints.times().end(), time) - joints.times().begin()) -
                     1,
                 0, joints.part_count() - 1);
-            const double error = 2 * vertices.placing_error(joints.cell(part, joints.times()[part], joints.times()[part + 1])) +
-                                 1e-12 * (center.norm() + bound.radius);
+            // Both are placed in double. That skin matrices are no rotations is the bound's matter.
+            JointCell cell = joints.cell(part, joints.times()[part], joints.times()[part + 1]);
+            cell.defect = 0;
+            const double error = 2 * vertices.placing_error(cell) + 1e-12 * (center.norm() + bound.radius);
             for (const Point3& p : points) RC_ASSERT((p - center).norm() <= bound.radius + error);
           }
         });
+}
+
+// A node at a place, with a joint that has the vertices there in the reference pose.
+Model thing_at(const Eigen::Matrix4d& local, const Eigen::Matrix4d& offset, std::vector<Point3> vertices) {
+  Model model;
+  model.name = model.skeleton.file = "thing";
+  model.skeleton.nodes = {{"node", -1, local}};
+  model.skeleton.joints = {{"joint", 0, -1, offset}};
+  model.joints = {{"joint", -1, {0, 0, 0}}};
+  model.triangles = {{0, 1, 2}};
+  model.influences.assign(vertices.size(), {{0, 1.0}});
+  model.vertices = std::move(vertices);
+  validate(model);
+  return model;
+}
+
+Eigen::Matrix4d moved_by(const Point3& by) {
+  Eigen::Matrix4d out = Eigen::Matrix4d::Identity();
+  out.topRightCorner<3, 1>() = by;
+  return out;
+}
+
+void what_is_small_beside_its_place(Suite& t) {
+  t.example("a joint that scales by 1.0009 is replaced by a rigid one, which carries what is far from the origin elsewhere", {}, [] {
+    const Point3 at(100, 0, 0);
+    Model model = thing_at(moved_by(at), moved_by(-at), {{100, 0, 0}, {100.001, 0, 0}, {100, 0.001, 0}});
+    const Animation grows{"grows",
+                          1,
+                          {{0,
+                            {{{0, at}}},
+                            {{{0, Eigen::Quaterniond::Identity()}}},
+                            {{{0, Eigen::Vector3d::Ones()}, {1, Eigen::Vector3d::Constant(1.0009)}}}}}};
+    model.clips.push_back({"grows", 1, {}, grows});
+    const JointSets sets(model);
+    const std::vector<int> all{0, 1, 2};
+    for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion, Skinning::spherical}) {
+      const AnimatedJoints joints(model, grows, skinning != Skinning::linear);
+      std::vector<Point3> points;
+      MovingVertices(model, sets, skinning, all).place(*joints.at(1, Side::after), Followed::skinned, points);
+      double farthest = 0;
+      for (const Point3& p : points) farthest = std::max(farthest, (p - at).norm());
+      const double radius = bound_any_pose(model, sets, all, skinning).value().radius;
+      // The clip's defect is 9e-4, at 100 units.
+      if (!(farthest <= radius + 1e-12 && radius <= (skinning == Skinning::linear ? 0.0011 : 0.1)))
+        return Checked(false, 3, std::to_string(farthest) + " beyond " + std::to_string(radius));
+    }
+    return Checked(true, 3);
+  });
+  t.example("a renderer in float puts no vertex of a thing far from the scene's origin beyond the radius", {}, [] {
+    const Point3 at(1000.1, 2000.3, -3000.7);
+    const std::vector<Point3> vertices = {at, at + Point3(0.001, 0, 0), at + Point3(0, 0.001, 0)};
+    const Model model = thing_at(moved_by(at), moved_by(-at), vertices);
+    const double radius = bound_model(model, {.any_pose = true}).any_pose.at(0).value().radius;
+    std::mt19937 random(5);
+    std::normal_distribution<double> number;
+    double farthest = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const Eigen::Quaterniond turned(number(random), number(random), number(random), number(random));
+      Eigen::Matrix4d local = model.skeleton.nodes[0].local;
+      local.topLeftCorner<3, 3>() = turned.normalized().toRotationMatrix();
+      const Eigen::Matrix4f matrix = (local * model.skeleton.joints[0].offset).cast<float>();
+      const Eigen::Vector3f node = local.topRightCorner<3, 1>().cast<float>();
+      for (const Point3& v : vertices) {
+        const Eigen::Vector3f image = matrix.topLeftCorner<3, 3>() * v.cast<float>() + matrix.topRightCorner<3, 1>();
+        farthest = std::max(farthest, (image - node).cast<double>().norm());
+      }
+    }
+    return Checked(farthest > 0.00105 && farthest <= radius && radius < 0.1, 1000,
+                   std::to_string(farthest) + " in " + std::to_string(radius));
+  });
+  t.example("a vertex that its offset carries to the joint but for rounding is as far away as that is", {}, [] {
+    using Exact = long double;
+    long tried = 0;
+    std::mt19937 random(6);
+    std::normal_distribution<double> number;
+    for (int i = 0; i < 200; ++i) {
+      const Point3 v = 1000 * Point3(number(random), number(random), number(random));
+      const Eigen::Quaterniond turned(number(random), number(random), number(random), number(random));
+      Eigen::Matrix4d offset = Eigen::Matrix4d::Identity();
+      offset.topLeftCorner<3, 3>() = turned.normalized().toRotationMatrix();
+      offset.topRightCorner<3, 1>() = -(offset.topLeftCorner<3, 3>() * v);
+      const Model model = thing_at(Eigen::Matrix4d::Identity(), offset, {v, v, v});
+      const double radius = bound_any_pose(model, JointSets(model), std::vector<int>{0}, Skinning::linear).value().radius;
+      const Eigen::Matrix<Exact, 3, 1> image = offset.topLeftCorner<3, 3>().cast<Exact>() * v.cast<Exact>() +
+                                               offset.topRightCorner<3, 1>().cast<Exact>();
+      ++tried;
+      if (!(image.norm() <= radius && radius < 1e-10))
+        return Checked(false, tried, std::to_string(static_cast<double>(image.norm() * 1e12L)) + "e-12");
+    }
+    return Checked(true, tried);
+  });
 }
 
 }  // namespace
 
 PROPTEST(any_pose) {
   vertices_stay_within_the_radius(t);
+  what_is_small_beside_its_place(t);
   t.example("a stretched arm reaches the radius, and joints of two trees have no node above them", {}, [] {
     // Two links of lengths 2 and 3, scaled by 2 and 1, and a vertex 1 below the last: 2 (3 + 1 * 1) = 8 from the first joint.
     Model model;

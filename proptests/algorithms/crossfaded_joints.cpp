@@ -151,15 +151,12 @@ void crossfades_are_bounded_and_hardly_more(Suite& t) {
               return;
             }
             RC_TAG("bounded");
-            const ParameterBox all = joints->boxes()[0];
             for (int i = 0; i < 25; ++i) {
               ParameterMoment moment;
-              for (int k = 0; k < 3; ++k) {
-                const ParameterRange& range = all.ranges[k];
-                const double value = random() % 4 == 0 ? (random() % 2 == 0 ? range.start : range.end)
-                                                       : range.start + (range.end - range.start) * share(random);
+              for (const double end : {fade.first.duration, fade.second.duration, 1.0}) {
+                const double value = random() % 4 == 0 ? (random() % 2 == 0 ? 0 : end) : end * share(random);
                 moment.coordinates.push_back({value, random() % 2 == 0 ? Side::before : Side::after});
-                if (value == range.start) moment.coordinates.back().side = Side::after;
+                if (value == 0) moment.coordinates.back().side = Side::after;
               }
               if (const auto points = skinned(skin, fade, moment))
                 for (const Vec<M, 3>& x : *points) RC_ASSERT(is_inside(bound, directions, x) != Verdict::fails);
@@ -230,6 +227,58 @@ void hands_half_way_between_clips(Suite& t) {
       good = good && of_moments.slabs[0].low <= -1 && of_moments.slabs[0].high >= 1 && of_moments.slabs[0].high < 1.01;
     }
     return Checked(good, 8, seen);
+  });
+  t.example("half a turn is bounded both ways, and no farther, however many equal keys hold the joint", {}, [] {
+    long tried = 0;
+    for (const RotationBlend blend : {RotationBlend::slerp, RotationBlend::nlerp})
+      for (const int keys : {2, 3, 5, 17}) {
+        Hinge hinge(-90, 90);
+        for (Animation* clip : {&hinge.first, &hinge.second}) {
+          auto& list = clip->tracks[0].rotations.keys;
+          for (int k = 1; k < keys; ++k) list.push_back({k / (keys - 1.0), list[0].value});
+        }
+        const BoundOverTime bound = hinge.bound(blend);
+        ++tried;
+        for (int d = 0; d < 2; ++d)
+          if (!(bound.slabs[d].low <= -1 + d && bound.slabs[d].high >= 1 && bound.slabs[d].low > -1.01 && bound.slabs[d].high < 1.01))
+            return Checked(false, tried,
+                           std::to_string(keys) + " keys: " + std::to_string(bound.slabs[d].low) + " to " +
+                               std::to_string(bound.slabs[d].high));
+      }
+    return Checked(true, tried);
+  });
+  t.example("where a renderer in float may see the other sign of the rotations' cosine, both ways are bounded", {}, [] {
+    long tried = 0;
+    for (const RotationBlend blend : {RotationBlend::slerp, RotationBlend::nlerp})
+      for (const double beside : {-1e-4, -1e-6, 1e-12, 1e-6, 1e-4}) {  // degrees: a cosine of 9e-7 at most
+        const BoundOverTime bound = Hinge(-90, 90 + beside).bound(blend);
+        ++tried;
+        if (!(bound.slabs[0].low <= -1 && bound.slabs[0].high >= 1))
+          return Checked(false, tried, std::to_string(bound.slabs[0].low) + " to " + std::to_string(bound.slabs[0].high));
+      }
+    return Checked(true, tried);
+  });
+  t.example("a clip that jumps, one number after another jump, is blended from where it is in between", {}, [] {
+    long tried = 0;
+    const auto turned = [](double degrees) { return Hinge::held(degrees, "").tracks[0].rotations.keys[0].value; };
+    for (const auto& [start, end] : {std::pair(1 - 0x1p-53, 1.0), std::pair(1 + 0x1p-52, 1 + 0x1p-51), std::pair(1.0, 1 + 0x1p-52)})
+      for (const bool is_second : {false, true}) {
+        Hinge hinge(89, 89);
+        Animation& jumps = is_second ? hinge.second : hinge.first;
+        jumps.duration = end;
+        jumps.tracks[0].rotations.keys = {
+            {0, turned(89)}, {start, turned(89)}, {start, turned(-89)}, {end, turned(-89)}, {end, turned(89)}};
+        const JointSets sets(hinge.model);
+        const CrossfadedJoints joints = hinge.joints(RotationBlend::slerp, false);
+        const AnimatedJoints first(hinge.model, hinge.first, false), second(hinge.model, hinge.second, false);
+        const MovingJoints* const all[] = {&first, &second, &joints};
+        const BoundOverTime bound =
+            bound_over_time(all, MovingVertices(hinge.model, sets, Skinning::linear, {0}), {.tolerance = 0.2});
+        ++tried;
+        if (!(bound.slabs[0].high >= 1))  // half-way between 89 degrees and -89 the vertex is at x = 1
+          return Checked(false, tried, std::to_string(bound.slabs[0].high));
+      }
+    return Checked(true, tried);
   });
   t.example("with weight 0 joints are as in the first clip, with weight 1 as in the second, each in its own time", {}, [] {
     Hinge hinge(0, 90);

@@ -22,6 +22,10 @@ def planned(suites, only, seeds, cases, targets, fuzz_seconds, mutants, programs
 
     mutants: their positions in the sample. programs: the digests of what runs, by name. theorems: the names of those that are to be proved
     exhaustively, with constants of this size. parts: (experiment, character) of what is to be measured, with this effort."""
+    if targets and not seeds:
+        raise PlanError("each fuzz target is run with each seed: --fuzz-seconds takes --seeds of at least 1")
+    if size and not theorems:
+        raise PlanError("no theorem's name contains what --only names; proptests/exhaustive/run --list lists them")
     chosen = [s for s in suites if not only or any(text in s for text in only)] if seeds else []
     if seeds and not chosen:
         raise PlanError("no suite's stem contains what --only names; proptests/run --list lists them")
@@ -35,6 +39,8 @@ def planned(suites, only, seeds, cases, targets, fuzz_seconds, mutants, programs
                for theorem in theorems for part in range(PARTS_OF_PROOF)]
     shards += [{"name": f"experiment.{experiment}.{character}", "kind": "experiment", "of": experiment, "character": character, "seed": 0}
                for experiment, character in parts]
+    if not shards:
+        raise PlanError("there is nothing to do: no suites, no fuzz targets, no mutants, no theorems and no experiments")
     return {"cases": cases, "fuzz_seconds": fuzz_seconds, "effort": effort, "programs": programs, "shards": shards}
 
 

@@ -109,8 +109,11 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return proptests::exhaustive::run(argc, argv);
-  } catch (const std::exception& e) {
+  } catch (const proptests::exhaustive::NotProved& e) {
     std::cerr << "exhaustive: " << e.what() << '\n';
     return 1;
+  } catch (const std::exception& e) {  // what says nothing of the theorem
+    std::cerr << "exhaustive: " << e.what() << '\n';
+    return 3;
   }
 }

@@ -92,7 +92,7 @@ class Prover {
       if (box[i].is_point()) text << box[i].inf();
       else text << '[' << box[i].inf() << ", " << box[i].sup() << ']';
     }
-    throw std::runtime_error(text.str());
+    throw NotProved(text.str());
   }
 
   const Theorem& theorem_;

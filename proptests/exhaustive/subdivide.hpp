@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <stdexcept>
 
 #include "proptests/exhaustive/theorem.hpp"
 
@@ -27,8 +28,12 @@ struct Cell {
   std::string path, tree;
 };
 
-// Proves the cells from first to before end. tell is called now and then with what is done so far. Throws std::runtime_error with the box on
-// which the statement fails, or that no number of cuts decides.
+// Says on which box the statement fails, or that no number of cuts decides.
+class NotProved : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Proves the cells from first to before end. tell is called now and then with what is done so far. Throws NotProved.
 std::vector<Cell> prove_cells(const Theorem& theorem, double constant, std::size_t first, std::size_t end,
                               const std::function<void(const Counts&)>& tell);
 

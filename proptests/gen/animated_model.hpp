@@ -31,8 +31,8 @@ AnimatedPlan draw_animated_plan(bool rigid);          // within a property
 AnimatedPlan draw_smooth_plan(bool rigid);            // within a property
 refitlab::Model animated_model(const AnimatedPlan&);  // its only clip has the animation
 
-// Of the same duration, for the model's skeleton: a second clip that moves more or less the same nodes, some of them just as the
-// first one, the opposite way, or half a turn from it.
+// For the model's skeleton, as long as its clip, longer, shorter or a moment: a second clip that moves more or less the same nodes, some of
+// them just as the first one, the opposite way, or half a turn from it. That of a smooth plan is no moment.
 refitlab::Animation second_animation(const AnimatedPlan&, const refitlab::Model&);
 
 // Whether something about it is a special case.

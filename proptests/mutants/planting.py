@@ -18,6 +18,17 @@ from passed import Passed
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TIME_LIMIT = 900  # seconds of the processor's time, of one run of the suites
+MEMORY_LIMIT = 8 << 30  # bytes of addresses, of one run of the suites: a mutant that never ends takes no more
+
+
+class CannotJudge(Exception):
+    """Because the suites do not build, or fail, without a mutant, too, or because the machine fails."""
+
+
+def machine_failure(output):
+    """The line in which a compiler or a linker says that it failed for want of memory or room, or was killed; "" if none."""
+    reasons = ("Killed signal", "No space left on device", "out of memory", "memory exhausted", "Cannot allocate memory")
+    return next((line.strip() for line in output.splitlines() if any(reason in line for reason in reasons)), "")
 
 
 class Copy:
@@ -165,13 +176,15 @@ class Copy:
             return proofs.first_failure(self, program, limit)
         only = ["--only", "=" + suite] if suite else []
         process = subprocess.Popen([program, *only], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=ROOT,
-                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 5)))
+                                   preexec_fn=lambda: bound_resources(limit))
         try:
             for line in process.stdout:
                 if failed := re.match(r"  (.*)  \[ FAIL \]", line):
                     process.kill()
                     return failed[1]
             code = process.wait()
+            if code == -signal.SIGKILL:
+                raise CannotJudge("the suites were killed from outside")
             if code == -signal.SIGXCPU:
                 return f"no end within {limit} s of the processor's time"
             return None if code == 0 else f"the run ended with code {code}"
@@ -194,6 +207,12 @@ class Copy:
                     made.unlink()
             path.write_text(original)
             os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
+
+
+def bound_resources(seconds):
+    """Of this process. Nothing ends it with SIGKILL before SIGXCPU has."""
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 60))
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
 
 
 def is_suite(made):

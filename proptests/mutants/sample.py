@@ -3,11 +3,13 @@
 their verdicts."""
 import csv
 import functools
+import hashlib
 import time
 
 import operators
 import proofs
-from planting import ROOT
+import planting
+from planting import CannotJudge, ROOT
 from reach import Reach
 
 SEED = 2006
@@ -17,6 +19,7 @@ SEED = 2006
 STEPS = ((1, False), (3, False), (6, True), (20, True))
 # Suites that take longer come after the others of their step.
 SECONDS_OF_SHORT_SUITE = 10
+VERDICTS = ("killed", "not built", "alive", "equivalent")
 COLUMNS = ["file", "rule", "line", "mutant", "verdict", "by", "suites", "seconds"]
 # An older table has no seconds. They are what the judging took, and the one column that a second judging does not give again.
 TIME_LIMIT = 300  # seconds of the processor's time, where suites take some ten
@@ -29,6 +32,16 @@ def sources():
     paths = [ROOT / proofs.TARGET / "check", *(p for folder in folders for p in (ROOT / folder).rglob("*") if p.suffix in (".hpp", ".cpp"))]
     paths += [*(ROOT / "proptests/certificate" / name for name in ("check", "check_clip", "check_pairs")), *(ROOT / "proptests/certificate/over_time").glob("*.py")]
     return sorted(f for f in (str(p.relative_to(ROOT)) for p in paths) if not f.startswith(UNTESTED))
+
+
+def digest_of_sources():
+    """Of all that decides whether a mutant lives."""
+    tests = [str(p.relative_to(ROOT)) for p in sorted((ROOT / "proptests").rglob("*")) if p.is_file() and p.suffix not in (".md", ".csv")]
+    builds = [str(p.relative_to(ROOT)) for p in sorted(ROOT.glob("*/**/CMakeLists.txt"))]
+    digest = hashlib.sha256()
+    for name in [*sources(), *tests, *builds]:
+        digest.update(name.encode() + b"\0" + (ROOT / name).read_bytes() + b"\0")
+    return digest.hexdigest()[:16]
 
 
 def in_order(texts, seed=SEED):
@@ -64,19 +77,19 @@ def positions_of(rows):
 
 
 def still_to_judge(count, rows):
-    """(the positions of the mutants to judge so that as many are known, the rows that are known already). rows: of an earlier table. One
-    that lived is to be judged again, since tests may have been added, unless it is argued that no test can tell; one whose file has changed
-    counts no more."""
+    """(the positions of the mutants to judge so that the first count are known, the rows that are known already). rows: of an earlier
+    table. One that lived is to be judged again, since tests may have been added, unless it is argued that no test can tell; one whose file
+    has changed counts no more, and neither does one that an earlier order had among the first: a sample is even only if it is a draw's."""
     known, again, taken = [], [], set()
     for row, position in zip(rows, positions_of(rows)):
-        if position is None:
+        if position is None or position >= count:
             continue
         taken.add(position)
         if row["verdict"] in ("killed", "not built", "equivalent"):
             known.append(row)
         else:
             again.append(position)
-    others = [i for i in range(len(all_mutants())) if i not in taken][:max(0, count - len(taken))]
+    others = [i for i in range(min(count, len(all_mutants()))) if i not in taken]
     return beside_each_other(again + others), known
 
 
@@ -86,13 +99,15 @@ def beside_each_other(positions):
 
 
 def read_rows(path):
-    """Of a table of judged mutants."""
+    """Of a table of judged mutants. ValueError: it is none."""
     with open(path, newline="") as file:
-        return [{**dict.fromkeys(COLUMNS, ""), **row} for row in csv.DictReader(file)]
-
-
-class CannotJudge(Exception):
-    """Because the suites do not build, or fail, without a mutant, too."""
+        rows = list(csv.DictReader(file))
+    for number, row in enumerate(rows, 2):
+        if missing := [name for name in COLUMNS if name not in row and name != "seconds"]:
+            raise ValueError(f"{path}, line {number}: has no column {missing[0]}: it is no table of judged mutants")
+        if row["verdict"] not in VERDICTS:
+            raise ValueError(f"{path}, line {number}: there is no verdict '{row['verdict']}'")
+    return [{**dict.fromkeys(COLUMNS, ""), **row} for row in rows]
 
 
 def steps_of(stems, is_header):
@@ -114,7 +129,8 @@ def in_order_of_time(group, seconds):
 
 def verdict_of(copy, mutant):
     """A row of COLUMNS: killed, not built, or alive."""
-    start, text = time.monotonic(), (ROOT / mutant.file).read_text()
+    # Of the copy, which is one state of the sources, whatever is done to them in the meantime.
+    start, text = time.monotonic(), (copy.source / mutant.file).read_text()
     line, changed = mutant.lines(text)
     row = {"file": mutant.file, "rule": mutant.rule, "line": line, "mutant": changed, "verdict": "alive", "by": ""}
     tried = []
@@ -130,6 +146,8 @@ def verdict_of(copy, mutant):
         with copy.planted(mutant.file, mutant.applied_to(text)):
             program, output = copy.build(group, 1, None if is_whole else mutant.file)
             if not program:
+                if broken := planting.machine_failure(output):
+                    raise CannotJudge(broken)
                 row["verdict"] = "not built"
                 break
             failures = (copy.first_failure(program, TIME_LIMIT, suite) for suite in in_order_of_time(group, copy.passed.seconds()))

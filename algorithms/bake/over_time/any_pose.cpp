@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
@@ -12,7 +13,8 @@
 namespace refitlab {
 namespace {
 
-// This factor allows for the roundings in a chain of nodes, which are far fewer than 2^20.
+// This factor allows for the roundings of sums and products of lengths, none of which cancels: some ten for each node of a chain, and
+// chains are far shorter than 2^16.
 constexpr double room_for_rounding = 1 + 0x1p-30;
 
 std::vector<int> path_to(const std::vector<SceneNode>& nodes, int node) {
@@ -22,9 +24,18 @@ std::vector<int> path_to(const std::vector<SceneNode>& nodes, int node) {
   return path;
 }
 
+// What vertices of one joint-set may be apart from its joints and from the model's origin.
+struct Lengths {
+  std::vector<double> computed, summed;  // by joint, as in ImageLength
+  double from_origin = 0;
+};
+
 class Ranges {
  public:
-  explicit Ranges(const Model& model) : model_(model), links_(model.skeleton.nodes.size(), {0, 0}) {
+  explicit Ranges(const Model& model)
+      : model_(model),
+        links_(model.skeleton.nodes.size(), {0, 0}),
+        stretches_(model.skeleton.nodes.size(), {std::numeric_limits<double>::infinity(), 0}) {
     for (const MorphedMesh& mesh : model.morphs) weights_.emplace_back(mesh.weights.size(), 0.0);
     const Animation rest;
     include(rest);
@@ -37,17 +48,25 @@ class Ranges {
     return out;
   }
 
-  // Returns the greatest distance of a vertex from the origin of a joint, in the joint's frame.
-  double distance(int vertex, const BoundJoint& joint) const {
-    const Eigen::Matrix3d linear = joint.offset.topLeftCorner<3, 3>();
-    double distance = norm<double, 3>(linear * model_.vertices[vertex] + joint.offset.topRightCorner<3, 1>());
-    for (std::size_t m = 0; m < model_.morphs.size(); ++m)
-      for (std::size_t t = 0; t < weights_[m].size(); ++t) {
-        const auto& list = model_.morphs[m].targets[t].displacements;
-        const auto found = std::lower_bound(list.begin(), list.end(), vertex, [](const auto& d, int v) { return d.first < v; });
-        if (found != list.end() && found->first == vertex) distance += weights_[m][t] * norm<double, 3>(linear * found->second);
+  // Returns how far the linear part of any joint's skin matrix is at most from the nearest rotation.
+  double defect() const { return std::min(defect_of(model_.skeleton, stretches_), rigidity_tolerance); }
+
+  void include(int vertex, std::span<const int> joints, Lengths& lengths) const {
+    lengths.computed.resize(joints.size(), 0), lengths.summed.resize(joints.size(), 0);
+    double from_origin = norm<double, 3>(model_.vertices[vertex]);
+    const std::vector<std::pair<double, Point3>> displacements = displacements_of(vertex);
+    for (const auto& [weight, d] : displacements) from_origin += weight * norm<double, 3>(d);
+    lengths.from_origin = std::max(lengths.from_origin, from_origin);
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      const Eigen::Matrix4d& offset = model_.skeleton.joints[joints[k]].offset;
+      ImageLength length = length_of_point(offset, model_.vertices[vertex]);
+      for (const auto& [weight, d] : displacements) {
+        const ImageLength more = length_of_displacement(offset, d);
+        length.computed += weight * more.computed, length.summed += weight * more.summed;
       }
-    return distance;
+      lengths.computed[k] = std::max(lengths.computed[k], length.computed);
+      lengths.summed[k] = std::max(lengths.summed[k], length.summed);
+    }
   }
 
  private:
@@ -55,38 +74,52 @@ class Ranges {
     const AnimatedJoints joints(model_, animation, false);
     for (int part = 0; part < joints.part_count(); ++part) {
       const auto& links = joints.motions(part).links;
-      for (std::size_t n = 0; n < links.size(); ++n)
+      const std::vector<Stretch> stretched =
+          stretches(model_.skeleton.nodes, animation, joints.times()[part], joints.times()[part + 1]);
+      for (std::size_t n = 0; n < links.size(); ++n) {
         links_[n] = {std::max(links_[n].length, links[n].offset.size), std::max(links_[n].stretch, links[n].linear.size)};
+        stretches_[n] = {std::min(stretches_[n].least, stretched[n].least), std::max(stretches_[n].most, stretched[n].most)};
+      }
       for (std::size_t m = 0; m < weights_.size(); ++m)
         for (std::size_t t = 0; t < weights_[m].size(); ++t)
           weights_[m][t] = std::max(weights_[m][t], joints.motions(part).weights[m][t].size);
     }
   }
 
+  // Returns by how much the vertex may be displaced, each with its greatest weight.
+  std::vector<std::pair<double, Point3>> displacements_of(int vertex) const {
+    std::vector<std::pair<double, Point3>> out;
+    for (std::size_t m = 0; m < model_.morphs.size(); ++m)
+      for (std::size_t t = 0; t < weights_[m].size(); ++t) {
+        const auto& list = model_.morphs[m].targets[t].displacements;
+        const auto found = std::lower_bound(list.begin(), list.end(), vertex, [](const auto& d, int v) { return d.first < v; });
+        if (found != list.end() && found->first == vertex) out.emplace_back(weights_[m][t], found->second);
+      }
+    return out;
+  }
+
   const Model& model_;
   std::vector<LinkRange<double>> links_;      // by node
+  std::vector<Stretch> stretches_;            // by node
   std::vector<std::vector<double>> weights_;  // by morphed mesh and target: the greatest absolute value
 };
 
 }  // namespace
 
 std::optional<AnyPoseBound> bound_any_pose(const Model& model, const JointSets& sets, std::span<const int> vertices,
-                                           Skinning skinning) {
+                                           Skinning skinning, double renderer_rounding) {
   const DefaultFloatEnvironment environment;
   const Ranges ranges(model);
   const BoundSkeleton& skeleton = model.skeleton;
 
-  // These are, by joint-set, the greatest distances of its vertices from its joints.
-  std::map<int, std::vector<double>> distances;
+  std::map<int, Lengths> lengths;  // by joint-set
   for (const int v : vertices) {
-    const auto joints = sets.joints(sets.of_vertex(v));
-    auto& list = distances[sets.of_vertex(v)];
-    list.resize(joints.size(), 0);
-    for (std::size_t k = 0; k < joints.size(); ++k) list[k] = std::max(list[k], ranges.distance(v, skeleton.joints[joints[k]]));
+    const int set = sets.of_vertex(v);
+    ranges.include(v, sets.joints(set), lengths[set]);
   }
   std::vector<int> above;  // the path that all joints' paths begin with
   bool is_first = true;
-  for (const auto& [set, list] : distances)
+  for (const auto& [set, list] : lengths)
     for (const int j : sets.joints(set)) {
       const std::vector<int> path = path_to(skeleton.nodes, skeleton.joints[j].node);
       if (is_first) above = path, is_first = false;
@@ -96,18 +129,20 @@ std::optional<AnyPoseBound> bound_any_pose(const Model& model, const JointSets& 
   if (above.empty()) return std::nullopt;
 
   // The vertices below the node are carried by its scale and those above it, and not by its translation.
-  const std::vector<LinkRange<double>> scales = ranges.links(above);
-  double greatest = 0;
-  for (const auto& of_set : distances) {
-    const int set = of_set.first;
-    const std::vector<double>& list = of_set.second;
+  const std::vector<LinkRange<double>> carrying = ranges.links(above);
+  const double defect = skinning == Skinning::linear ? 0 : ranges.defect();
+  double greatest = 0, summed = 0;
+  for (const auto& [set, list] : lengths) {
     const auto joints = sets.joints(set);
+    // A rigid transform carries a point elsewhere than the skin matrix that it stands for, which has the same translation.
+    const double beside = defect * list.from_origin;
     std::vector<std::vector<int>> paths;
     double reach = 0;
     for (std::size_t k = 0; k < joints.size(); ++k) {
       paths.push_back(path_to(skeleton.nodes, skeleton.joints[joints[k]].node));
       const std::span<const int> below = std::span<const int>(paths[k]).subspan(above.size());
-      reach = std::max(reach, reach_of_chain<double>(ranges.links(below), list[k]));
+      reach = std::max(reach, apart_at_most<double>(carrying, reach_of_chain<double>(ranges.links(below), list.computed[k]), 0));
+      summed = std::max(summed, reach_of_chain<double>(ranges.links(paths[k]), list.summed[k]));
     }
     double squared_spread = 0;
     if (skinning != Skinning::linear)
@@ -115,15 +150,16 @@ std::optional<AnyPoseBound> bound_any_pose(const Model& model, const JointSets& 
         for (std::size_t l = 0; l < k; ++l) {
           const auto parting = std::mismatch(paths[k].begin(), paths[k].end(), paths[l].begin(), paths[l].end()).first;
           const auto common = static_cast<std::size_t>(parting - paths[k].begin());
-          const auto beyond = [&](std::size_t i) {
-            return reach_of_chain<double>(ranges.links(std::span<const int>(paths[i]).subspan(common)), list[i]);
+          const auto beyond = [&, &list = list](std::size_t i) {
+            return reach_of_chain<double>(ranges.links(std::span<const int>(paths[i]).subspan(common)), list.computed[i]);
           };
-          const auto shared = ranges.links(std::span<const int>(paths[k]).first(common).subspan(above.size()));
-          squared_spread += sq(apart_at_most<double>(shared, beyond(k), beyond(l)));
+          const auto shared = ranges.links(std::span<const int>(paths[k]).first(common));
+          squared_spread += sq(apart_at_most<double>(shared, beyond(k), beyond(l)) + 2 * beside);
         }
-    greatest = std::max(greatest, reach + std::sqrt(squared_stray_in_any_pose(squared_spread)));
+    greatest = std::max(greatest, reach + beside + std::sqrt(squared_stray_in_any_pose(squared_spread)));
   }
-  return AnyPoseBound{above.back(), apart_at_most<double>(scales, greatest, 0) * room_for_rounding};
+  const double rounding = renderer_rounding * (summed + reach_of_chain<double>(carrying, 0));
+  return AnyPoseBound{above.back(), (greatest + rounding) * room_for_rounding};
 }
 
 }  // namespace refitlab

@@ -18,6 +18,10 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 // This bounds the rounding of dot products of unit quaternions.
 constexpr double rounding_of_cosine = 1e-12;
 
+// The rounding of the cosine in a renderer in float, whose rotations are off by up to 2^-19 each. It goes the shorter way by the sign that
+// it sees.
+constexpr double rounding_of_cosine_in_float = 0x1p-18;
+
 // A cell is split by the two signs of a quaternion if quaternions go no farther than this within it and may be at a right angle.
 constexpr double most_travel_across = 0.125;
 
@@ -85,6 +89,20 @@ double travel(const Motion<double>& motion, const ParameterRange& range) {
 }
 
 double middle_of(const ParameterRange& range) { return range.start + (range.end - range.start) / 2; }
+
+// Returns the side of the middle that belongs to the range. Between neighbouring numbers the middle is one of the ends.
+Side side_of_middle(const ParameterRange& range) {
+  return middle_of(range) < range.end ? Side::after : side_of_end(range.start, range.end);
+}
+
+// Returns the parameter whose halving tells most of a rotation that is not known: the time that turns more or, where neither turns, the one
+// that has several parts, since only a box of one part each is split by signs; else the weight.
+std::size_t parameter_to_halve(const double (&turned)[2], const std::vector<ParameterRange>& ranges) {
+  if (turned[0] + turned[1] > 0) return turned[0] >= turned[1] ? 0 : 1;
+  for (const std::size_t k : {0, 1})
+    if (ranges[k].first_part < ranges[k].last_part) return k;
+  return 2;
+}
 
 // Returns the motion of a faded vector in each of the three parameters. apart_in_the_middle is the distance of both clips'
 // vectors in the middle of their ranges.
@@ -264,8 +282,8 @@ CrossfadedJoints::KnownCell CrossfadedJoints::make(const ParameterBox& box) cons
     for (std::size_t n = 0; n < nodes.size(); ++n) stretched.push_back(widest_of(first->stretches[n], second->stretches[n]));
   for (std::size_t i = 0; i < first->tracks.size(); ++i) {
     const LinkMotion<double>&x = first->tracks[i], &y = second->tracks[i];
-    const NodeTransform p = transform_at(first_.tracks()[i], middle_of(ranges[0])),
-                        q = transform_at(second_.tracks()[i], middle_of(ranges[1]));
+    const NodeTransform p = transform_at(first_.tracks()[i], middle_of(ranges[0]), side_of_middle(ranges[0])),
+                        q = transform_at(second_.tracks()[i], middle_of(ranges[1]), side_of_middle(ranges[1]));
     const int node = first_.tracks()[i].node;
     const auto sign = std::find_if(box.signs.begin(), box.signs.end(), [&](const NodeSign& s) { return s.node == node; });
     const double dot = coefficient_dot(p.rotation, q.rotation),
@@ -273,20 +291,19 @@ CrossfadedJoints::KnownCell CrossfadedJoints::make(const ParameterBox& box) cons
     const double change = turned[0] + turned[1] + rounding_of_cosine;
     const bool is_forced = sign != box.signs.end();
     double cosine = (is_forced ? (sign->is_opposite ? -dot : dot) : std::abs(dot)) - change;
-    const bool is_known = cosine >= (is_forced ? -0.5 : 0);
+    const bool is_known = cosine >= (is_forced ? -0.5 : rounding_of_cosine_in_float);
     if (!is_known && !is_forced && change <= most_travel_across && has_one_part && !out.across) out.across = node;
     if (!is_known) cosine = 0;
     auto rotations = faded_rotation(x.rotation, y.rotation, cosine, ranges, rotations_);
-    // The speed is unbounded in the parameter that turns most, or in the weight if neither time turns anything.
-    if (!is_known) rotations[turned[0] + turned[1] == 0 ? 2 : turned[0] >= turned[1] ? 0 : 1].speed = unbounded;
+    if (!is_known) rotations[parameter_to_halve(turned, ranges)].speed = unbounded;
     const auto translations = faded(x.translation, y.translation, norm<double, 3>(q.translation - p.translation), ranges),
                scales = faded(x.scale, y.scale, (q.scale - p.scale).cwiseAbs().maxCoeff(), ranges);
     for (int k = 0; k < 3; ++k) motions[k]->links[node] = chain_of<double>({translations[k], rotations[k], scales[k]});
     if (needs_pose_ && (p.scale.array() * q.scale.array() <= 0).any()) stretched[node].least = 0;
   }
   for (std::size_t m = 0; m < model_.morphs.size(); ++m) {
-    const Eigen::VectorXd there = first_.weights(m, middle_of(ranges[0]), Side::after),
-                          here = second_.weights(m, middle_of(ranges[1]), Side::after);
+    const Eigen::VectorXd there = first_.weights(m, middle_of(ranges[0]), side_of_middle(ranges[0])),
+                          here = second_.weights(m, middle_of(ranges[1]), side_of_middle(ranges[1]));
     for (auto& motion : motions) motion->weights.emplace_back();
     for (std::size_t t = 0; t < first->weights[m].size(); ++t) {
       const double apart = std::abs(here[static_cast<Eigen::Index>(t)] - there[static_cast<Eigen::Index>(t)]);

@@ -303,10 +303,8 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
   out.moments = moments;
   if (options.any_pose)
     for (const ModelPart& part : out.parts)
-      if (part.kind != PartKind::cluster) {
-        out.any_pose.push_back(bound_any_pose(model, sets, part.vertices, options.skinning));
-        if (auto& bound = out.any_pose.back()) bound->radius *= 1 + options.renderer_rounding;
-      }
+      if (part.kind != PartKind::cluster)
+        out.any_pose.push_back(bound_any_pose(model, sets, part.vertices, options.skinning, options.renderer_rounding));
   return out;
 }
 

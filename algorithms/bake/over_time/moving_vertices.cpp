@@ -28,9 +28,6 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 // and takes twice that.
 constexpr double error_per_link = 80;
 
-// This is the error of a point that a matrix carries, relative to the sum of the summands' sizes.
-constexpr double rounding_of_image = 32 * std::numeric_limits<double>::epsilon() / 2;
-
 // Blends of dual quaternions that may be shorter are not followed, because rounding would grow by as much.
 constexpr double squared_shortest_blend = 1e-2;
 
@@ -116,10 +113,9 @@ MovingVertices::MovingVertices(const Model& model, const JointSets& sets, Skinni
     set.distances.resize(set_joints.size(), 0), set.reaches.resize(set_joints.size(), 0);
     for (std::size_t k = 0; k < set_joints.size(); ++k) {
       const BoundJoint& joint = skeleton.joints[set_joints[k]];
-      const Point3& v = model.vertices[vertices_[i]];
-      const double reach = stretch_of(joint.offset).most * norm<double, 3>(v) + joint.offset.topRightCorner<3, 1>().norm();
-      set.reaches[k] = std::max(set.reaches[k], reach);
-      set.distances[k] = std::max(set.distances[k], norm<double, 3>(image(joint.offset, v)) + rounding_of_image * reach);
+      const ImageLength length = length_of_point(joint.offset, model.vertices[vertices_[i]]);
+      set.reaches[k] = std::max(set.reaches[k], length.summed);
+      set.distances[k] = std::max(set.distances[k], length.computed);
       set.base = set.base == -2 ? joint.node : common_node(skeleton.nodes, set.base, joint.node);
     }
     if (displacements_.empty()) continue;
@@ -128,12 +124,9 @@ MovingVertices::MovingVertices(const Model& model, const JointSets& sets, Skinni
                                 [&](const Morph& known) { return known.mesh == d.mesh && known.target == d.target; });
       if (morph == set.morphs.end())
         morph = set.morphs.insert(morph, {d.mesh, d.target, std::vector<double>(set_joints.size(), 0)});
-      for (std::size_t k = 0; k < set_joints.size(); ++k) {
-        const Eigen::Matrix4d& offset = skeleton.joints[set_joints[k]].offset;
-        const double reach = stretch_of(offset).most * norm<double, 3>(d.by);
+      for (std::size_t k = 0; k < set_joints.size(); ++k)
         morph->lengths[k] =
-            std::max(morph->lengths[k], norm<double, 3>(offset.topLeftCorner<3, 3>() * d.by) + rounding_of_image * reach);
-      }
+            std::max(morph->lengths[k], length_of_displacement(skeleton.joints[set_joints[k]].offset, d.by).computed);
     }
   }
   for (auto& [index, set] : by_index) sets_.push_back(std::move(set));

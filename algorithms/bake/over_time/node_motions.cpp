@@ -252,6 +252,21 @@ double defect_of(const BoundSkeleton& skeleton, const std::vector<Stretch>& link
   return greatest;
 }
 
+ImageLength length_of_point(const Eigen::Matrix4d& offset, const Point3& v) {
+  const DefaultFloatEnvironment environment;
+  const Eigen::Vector3d translation = offset.topRightCorner<3, 1>();
+  const double summed = stretch_of(offset).most * norm<double, 3>(v) + translation.norm();
+  const Point3 image = offset.topLeftCorner<3, 3>() * v + translation;
+  return {norm<double, 3>(image) + rounding_of_image * summed, summed};
+}
+
+ImageLength length_of_displacement(const Eigen::Matrix4d& offset, const Point3& d) {
+  const DefaultFloatEnvironment environment;
+  const double summed = stretch_of(offset).most * norm<double, 3>(d);
+  const Point3 image = offset.topLeftCorner<3, 3>() * d;
+  return {norm<double, 3>(image) + rounding_of_image * summed, summed};
+}
+
 double growth_of_rounding(const Animation& animation, double start, double end) {
   const DefaultFloatEnvironment environment;
   double growth = 1;

@@ -2,6 +2,7 @@
 // These functions bound how far, how fast and with how much bend the nodes of a skeleton move between two keys of an animation.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "algorithms/model/skeleton_motion.hpp"
@@ -53,6 +54,17 @@ std::vector<Stretch> stretches(const std::vector<SceneNode>& nodes, const Animat
 // Returns how far the linear part of any joint's skin matrix is at most from the rotation that its chain's quaternions make. It
 // follows from the nodes' stretches, and is infinite where one may vanish.
 double defect_of(const BoundSkeleton& skeleton, const std::vector<Stretch>& links);
+
+// This is the error of a point that a matrix carries, relative to the sum of the summands' sizes.
+inline constexpr double rounding_of_image = 32 * std::numeric_limits<double>::epsilon() / 2;
+
+// How long what a joint's offset makes of a vertex is at most: with room for the rounding of the computed length, and as the sum of what
+// it is made of, which may cancel.
+struct ImageLength {
+  double computed, summed;
+};
+ImageLength length_of_point(const Eigen::Matrix4d& offset, const Point3& v);
+ImageLength length_of_displacement(const Eigen::Matrix4d& offset, const Point3& d);
 
 // Returns how many times the rounding errors of splines' quaternions are those of a slerp's, from start to end as above. They are
 // greater because a spline's quaternion is shorter than its summands.
