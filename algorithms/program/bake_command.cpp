@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "algorithms/bake/bake.hpp"
+#include "algorithms/bake/over_time/half_turns.hpp"
 #include "algorithms/bake/over_time/model_bounds.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/program/bound_json.hpp"
@@ -152,7 +153,10 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   const bool is_linear = call.bounds.skinning == Skinning::linear;
   const Model model = load_model(call.in, {.joints = is_linear ? Joints::affine : Joints::rigid, .morphs = Morphs::moving});
 
-  if (!map.count("quiet")) print_notes(model, errors);
+  if (!map.count("quiet")) {
+    print_notes(model, errors);
+    for (const std::string& note : half_turns(model)) errors << "note: " << call.in << ": " << note << '\n';
+  }
 
   ModelBoundsOptions bounded = call.bounds;
   std::optional<Character> character;
@@ -171,7 +175,8 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   if (!map.count("quiet"))
     for (std::size_t p = 0; p < bounds.any_pose.size(); ++p)
       if (!bounds.any_pose[p])
-        errors << "note: " << call.in << ": " << name_of(bounds.parts[p].kind) << ' ' << bounds.parts[p].index
+        errors << "note: " << call.in << ": " << name_of(bounds.parts[p].kind)
+               << (bounds.parts[p].index < 0 ? "" : ' ' + std::to_string(bounds.parts[p].index))
                << ": has no ball for any pose, because no node is above all of its joints\n";
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto peak_of_bounding = peak_megabytes();

@@ -111,31 +111,32 @@ Eigen::Matrix4d moved_by(const Point3& by) {
 }
 
 void what_is_small_beside_its_place(Suite& t) {
-  t.example("a joint that scales by 1.0009 is replaced by a rigid one, which carries what is far from the origin elsewhere", {}, [] {
-    const Point3 at(100, 0, 0);
-    Model model = thing_at(moved_by(at), moved_by(-at), {{100, 0, 0}, {100.001, 0, 0}, {100, 0.001, 0}});
-    const Animation grows{"grows",
-                          1,
-                          {{0,
-                            {{{0, at}}},
-                            {{{0, Eigen::Quaterniond::Identity()}}},
-                            {{{0, Eigen::Vector3d::Ones()}, {1, Eigen::Vector3d::Constant(1.0009)}}}}}};
-    model.clips.push_back({"grows", 1, {}, grows});
-    const JointSets sets(model);
-    const std::vector<int> all{0, 1, 2};
-    for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion, Skinning::spherical}) {
-      const AnimatedJoints joints(model, grows, skinning != Skinning::linear);
-      std::vector<Point3> points;
-      MovingVertices(model, sets, skinning, all).place(*joints.at(1, Side::after), Followed::skinned, points);
-      double farthest = 0;
-      for (const Point3& p : points) farthest = std::max(farthest, (p - at).norm());
-      const double radius = bound_any_pose(model, sets, all, skinning).value().radius;
-      // The clip's defect is 9e-4, at 100 units.
-      if (!(farthest <= radius + 1e-12 && radius <= (skinning == Skinning::linear ? 0.0011 : 0.1)))
-        return Checked(false, 3, std::to_string(farthest) + " beyond " + std::to_string(radius));
-    }
-    return Checked(true, 3);
-  });
+  t.example("a joint that scales by 1.0009 is replaced by a rigid one, which carries what is far from the origin elsewhere", {},
+            [] {
+              const Point3 at(100, 0, 0);
+              Model model = thing_at(moved_by(at), moved_by(-at), {{100, 0, 0}, {100.001, 0, 0}, {100, 0.001, 0}});
+              const Animation grows{"grows",
+                                    1,
+                                    {{0,
+                                      {{{0, at}}},
+                                      {{{0, Eigen::Quaterniond::Identity()}}},
+                                      {{{0, Eigen::Vector3d::Ones()}, {1, Eigen::Vector3d::Constant(1.0009)}}}}}};
+              model.clips.push_back({"grows", 1, {}, grows});
+              const JointSets sets(model);
+              const std::vector<int> all{0, 1, 2};
+              for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion, Skinning::spherical}) {
+                const AnimatedJoints joints(model, grows, skinning != Skinning::linear);
+                std::vector<Point3> points;
+                MovingVertices(model, sets, skinning, all).place(*joints.at(1, Side::after), Followed::skinned, points);
+                double farthest = 0;
+                for (const Point3& p : points) farthest = std::max(farthest, (p - at).norm());
+                const double radius = bound_any_pose(model, sets, all, skinning).value().radius;
+                // The clip's defect is 9e-4, at 100 units.
+                if (!(farthest <= radius + 1e-12 && radius <= (skinning == Skinning::linear ? 0.0011 : 0.1)))
+                  return Checked(false, 3, std::to_string(farthest) + " beyond " + std::to_string(radius));
+              }
+              return Checked(true, 3);
+            });
   t.example("a renderer in float puts no vertex of a thing far from the scene's origin beyond the radius", {}, [] {
     const Point3 at(1000.1, 2000.3, -3000.7);
     const std::vector<Point3> vertices = {at, at + Point3(0.001, 0, 0), at + Point3(0, 0.001, 0)};
@@ -171,8 +172,8 @@ void what_is_small_beside_its_place(Suite& t) {
       offset.topRightCorner<3, 1>() = -(offset.topLeftCorner<3, 3>() * v);
       const Model model = thing_at(Eigen::Matrix4d::Identity(), offset, {v, v, v});
       const double radius = bound_any_pose(model, JointSets(model), std::vector<int>{0}, Skinning::linear).value().radius;
-      const Eigen::Matrix<Exact, 3, 1> image = offset.topLeftCorner<3, 3>().cast<Exact>() * v.cast<Exact>() +
-                                               offset.topRightCorner<3, 1>().cast<Exact>();
+      const Eigen::Matrix<Exact, 3, 1> image =
+          offset.topLeftCorner<3, 3>().cast<Exact>() * v.cast<Exact>() + offset.topRightCorner<3, 1>().cast<Exact>();
       ++tried;
       if (!(image.norm() <= radius && radius < 1e-10))
         return Checked(false, tried, std::to_string(static_cast<double>(image.norm() * 1e12L)) + "e-12");

@@ -7,6 +7,7 @@
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/bake/over_time/bound_over_time.hpp"
+#include "algorithms/bake/over_time/half_turns.hpp"
 #include "proptests/gen/animated_model.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
@@ -240,7 +241,8 @@ void hands_half_way_between_clips(Suite& t) {
         const BoundOverTime bound = hinge.bound(blend);
         ++tried;
         for (int d = 0; d < 2; ++d)
-          if (!(bound.slabs[d].low <= -1 + d && bound.slabs[d].high >= 1 && bound.slabs[d].low > -1.01 && bound.slabs[d].high < 1.01))
+          if (!(bound.slabs[d].low <= -1 + d && bound.slabs[d].high >= 1 && bound.slabs[d].low > -1.01 &&
+                bound.slabs[d].high < 1.01))
             return Checked(false, tried,
                            std::to_string(keys) + " keys: " + std::to_string(bound.slabs[d].low) + " to " +
                                std::to_string(bound.slabs[d].high));
@@ -258,10 +260,35 @@ void hands_half_way_between_clips(Suite& t) {
       }
     return Checked(true, tried);
   });
+  t.example("of keys that are half a turn apart one is told, joint by joint, unless nothing is between them", {}, [] {
+    const auto turned = [](double degrees) { return Hinge::held(degrees, "").tracks[0].rotations.keys[0].value; };
+    long tried = 0;
+    for (const auto& [degrees, is_told] : {std::pair(180., true), std::pair(180 - 1e-4, true), std::pair(-180., true),
+                                           std::pair(180 + 1e-4, true), std::pair(179.9, false), std::pair(90., false)})
+      for (const Interpolation how : {Interpolation::linear, Interpolation::step}) {
+        Hinge hinge(0, 0);
+        Animation clip = hinge.first;
+        auto& rotations = clip.tracks[0].rotations;
+        rotations = {{{0, turned(10)}, {0.5, turned(20)}, {1, turned(20 + degrees)}}, how, {}};
+        hinge.model.clips = {{"turns", 1, {}, clip}};
+        const std::vector<std::string> told = half_turns(hinge.model);
+        ++tried;
+        const bool is_right =
+            is_told && how == Interpolation::linear
+                ? told.size() == 1 && told[0].find("clip 'turns', joint 'node', keys 1 and 2: are half a turn apart") == 0
+                : told.empty();
+        if (!is_right) return Checked(false, tried, std::to_string(degrees));
+        rotations.keys = {{0.5, turned(20)}, {0.5, turned(20 + degrees)}};  // a jump
+        hinge.model.clips = {{"turns", 1, {}, clip}};
+        if (!half_turns(hinge.model).empty()) return Checked(false, tried, "a jump");
+      }
+    return Checked(true, tried);
+  });
   t.example("a clip that jumps, one number after another jump, is blended from where it is in between", {}, [] {
     long tried = 0;
     const auto turned = [](double degrees) { return Hinge::held(degrees, "").tracks[0].rotations.keys[0].value; };
-    for (const auto& [start, end] : {std::pair(1 - 0x1p-53, 1.0), std::pair(1 + 0x1p-52, 1 + 0x1p-51), std::pair(1.0, 1 + 0x1p-52)})
+    for (const auto& [start, end] :
+         {std::pair(1 - 0x1p-53, 1.0), std::pair(1 + 0x1p-52, 1 + 0x1p-51), std::pair(1.0, 1 + 0x1p-52)})
       for (const bool is_second : {false, true}) {
         Hinge hinge(89, 89);
         Animation& jumps = is_second ? hinge.second : hinge.first;

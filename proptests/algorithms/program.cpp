@@ -574,10 +574,11 @@ void clips_of_one_name(Suite& t) {
                  last = call({"collide", "--clip-a", "#" + count, "--time-a", "0.5", twice, in}),
                  none = call({"collide", "--clip-a", "#9", twice, in}), zero = call({"collide", "--clip-a", "#0", twice, in}),
                  alone = call({"collide", "--clip-a", "move", "--time-a", "0.5", in, in});
-    const bool good = info.out.find("#1 move: ") != std::string::npos && info.out.find("#" + count + " move: ") != std::string::npos &&
-                      named.code == 3 && named.errors.find("2 clips have this name: #1 is the first") != std::string::npos &&
-                      first.code == 0 && last.code == 0 && first.out == alone.out && last.out == alone.out && none.code == 3 &&
-                      zero.code == 3 && none.errors.find("there is no such clip") != std::string::npos;
+    const bool good = info.out.find("#1 move: ") != std::string::npos &&
+                      info.out.find("#" + count + " move: ") != std::string::npos && named.code == 3 &&
+                      named.errors.find("2 clips have this name: #1 is the first") != std::string::npos && first.code == 0 &&
+                      last.code == 0 && first.out == alone.out && last.out == alone.out && none.code == 3 && zero.code == 3 &&
+                      none.errors.find("there is no such clip") != std::string::npos;
     return Checked(good, 7, info.out + named.errors + first.errors + last.errors + none.errors);
   });
 }
@@ -588,27 +589,26 @@ void parts_without_a_ball_for_any_pose(Suite& t) {
     const std::string in = rich.folder.file("in.glb"), apart = rich.folder.file("apart.glb"), out = rich.folder.file("any.glb");
     std::vector<GlbChunk> chunks = read_glb(read_whole(in), in);
     json description = json::parse(chunks[0].data);
-    // The last joint that is below another node becomes a root.
-    int joint = -1;
+    // A joint that is below others becomes a root.
+    const json joint = description["skins"][0]["joints"].back();
     for (json& node : description["nodes"]) {
       json left = json::array();
       for (const json& child : node.value("children", json::array()))
-        if (const auto& joints = description["skins"][0]["joints"];
-            joint < 0 && std::find(joints.begin(), joints.end(), child) != joints.end())
-          joint = child;
-        else left.push_back(child);
+        if (child != joint) left.push_back(child);
       if (left.empty()) node.erase("children");
       else node["children"] = left;
     }
     description["scenes"][0]["nodes"].push_back(joint);
     chunks[0].data = description.dump();
     write_whole(apart, glb_of(chunks, apart));
-    const Called called = call({"bake", "--for", "any", apart, out}), quiet = call({"bake", "--quiet", "--for", "any", apart, out}),
-                 clip = call({"bake", apart, out}), whole = call({"bake", "--for", "any", in, out});
+    const Called called = call({"bake", "--for", "any", apart, out}),
+                 quiet = call({"bake", "--quiet", "--for", "any", apart, out}), clip = call({"bake", apart, out}),
+                 whole = call({"bake", "--for", "any", in, out});
     const std::string note = "has no ball for any pose, because no node is above all of its joints";
-    const bool good = joint >= 0 && called.code == 0 && called.errors.find("note: " + apart + ": mesh ") != std::string::npos &&
+    const bool good = called.code == 0 && called.errors.find("note: " + apart + ": mesh ") != std::string::npos &&
                       called.errors.find(note) != std::string::npos && quiet.errors.find(note) == std::string::npos &&
-                      clip.errors.find(note) == std::string::npos && whole.code == 0 && whole.errors.find(note) == std::string::npos;
+                      clip.errors.find(note) == std::string::npos && whole.code == 0 &&
+                      whole.errors.find(note) == std::string::npos;
     return Checked(good, 4, called.errors + whole.errors);
   });
 }

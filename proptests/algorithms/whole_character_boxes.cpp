@@ -308,6 +308,31 @@ void fits_are_tight(Suite& t) {
                  fitted = volume_of_box(box_of<double>(RoundedBoxes(octahedron, {&turned, 1}).box(matrices)));
     return std::abs(of_box / 128 - 1) < 1e-3 && std::abs(fitted / 64 - 1) < 1e-2;
   });
+  t.example("a joint that moves no vertex adds nothing to the box around all joints' boxes, by every target", {}, [] {
+    long tried = 0;
+    for (const std::size_t idle : {0, 1, 9}) {
+      SkinnedMesh mesh;
+      mesh.joints.resize(10);
+      Pose pose(10);
+      for (std::size_t j = 0; j < pose.size(); ++j)
+        pose[j] = {{1, 0, 0, 0}, {j == idle ? 100. : 1. * static_cast<double>(j), 0, 0}};
+      Box<double> expected = Box<double>::empty();
+      for (std::size_t j = 0; j < pose.size(); ++j) {
+        if (j == idle) continue;
+        const Point3 v(0, 1. * static_cast<double>(j), 2);
+        mesh.vertices.push_back(v);
+        mesh.influences.push_back({{static_cast<int>(j), 1.}});
+        expected.merge(Point3(v + pose[j].translation));
+      }
+      for (const Target target : available_targets()) {
+        JointMatrices matrices(pose.size());
+        matrices.set(pose, target);
+        ++tried;
+        if (!are_near(box_of<double>(JointBoxes(mesh).box(matrices, target)), expected)) return Checked(false, tried);
+      }
+    }
+    return Checked(true, tried);
+  });
   t.example("a capsule's own vertices get a capsule that is hardly larger, however it lies", {}, [] {
     std::mt19937 random(2006);
     std::uniform_real_distribution<double> u(-1, 1);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 
+#include "algorithms/bake/over_time/half_turns.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "lemmas/c7_crossfade.hpp"
 
@@ -17,10 +18,6 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // This bounds the rounding of dot products of unit quaternions.
 constexpr double rounding_of_cosine = 1e-12;
-
-// The rounding of the cosine in a renderer in float, whose rotations are off by up to 2^-19 each. It goes the shorter way by the sign that
-// it sees.
-constexpr double rounding_of_cosine_in_float = 0x1p-18;
 
 // A cell is split by the two signs of a quaternion if quaternions go no farther than this within it and may be at a right angle.
 constexpr double most_travel_across = 0.125;
