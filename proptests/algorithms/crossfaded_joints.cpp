@@ -201,34 +201,7 @@ void crossfades_are_bounded_and_hardly_more(Suite& t) {
           });
 }
 
-void hands_half_way_between_clips(Suite& t) {
-  t.example("half-way between two clips a hand is where neither has it, and the bound knows",
-            {.hypothesis = "bounds hold in between"}, [] {
-              bool good = true;
-              for (const RotationBlend blend : {RotationBlend::slerp, RotationBlend::nlerp}) {
-                const BoundOverTime bound = Hinge(-74, 74).bound(blend);
-                good = good && bound.slabs[0].high >= 1 && bound.slabs[0].high < 1.01 && bound.slabs[0].low > 0.27 &&
-                       std::abs(bound.slabs[1].high - std::sin(74 * 3.141592653589793 / 180)) < 0.01 &&
-                       bound.slabs[2].high < 1e-3;
-              }
-              return Checked(good, 2);
-            });
-  t.example("between clips that are half a turn apart, both ways are bounded; a little less, and it is the shorter one", {}, [] {
-    bool good = true;
-    std::string seen = "of moments: ";
-    for (const RotationBlend blend : {RotationBlend::slerp, RotationBlend::nlerp}) {
-      const BoundOverTime both = Hinge(-90, 90).bound(blend), shorter = Hinge(-89, 89).bound(blend),
-                          longer = Hinge(-91, 91).bound(blend);
-      good = good && both.slabs[0].low <= -1 && both.slabs[0].high >= 1 && both.slabs[0].high < 1.01 &&
-             shorter.slabs[0].low > 0 && shorter.slabs[0].high >= 1 && longer.slabs[0].high < 0 && longer.slabs[0].low <= -1;
-      Hinge moments(-90, 90);
-      moments.first.duration = moments.second.duration = 0;
-      const BoundOverTime of_moments = moments.bound(blend);
-      seen += std::to_string(of_moments.slabs[0].low) + " to " + std::to_string(of_moments.slabs[0].high) + "; ";
-      good = good && of_moments.slabs[0].low <= -1 && of_moments.slabs[0].high >= 1 && of_moments.slabs[0].high < 1.01;
-    }
-    return Checked(good, 8, seen);
-  });
+void what_is_near_half_a_turn(Suite& t) {
   t.example("half a turn is bounded both ways, and no farther, however many equal keys hold the joint", {}, [] {
     long tried = 0;
     for (const RotationBlend blend : {RotationBlend::slerp, RotationBlend::nlerp})
@@ -284,6 +257,9 @@ void hands_half_way_between_clips(Suite& t) {
       }
     return Checked(true, tried);
   });
+}
+
+void clips_that_jump(Suite& t) {
   t.example("a clip that jumps, one number after another jump, is blended from where it is in between", {}, [] {
     long tried = 0;
     const auto turned = [](double degrees) { return Hinge::held(degrees, "").tracks[0].rotations.keys[0].value; };
@@ -306,6 +282,36 @@ void hands_half_way_between_clips(Suite& t) {
           return Checked(false, tried, std::to_string(bound.slabs[0].high));
       }
     return Checked(true, tried);
+  });
+}
+
+void hands_half_way_between_clips(Suite& t) {
+  t.example("half-way between two clips a hand is where neither has it, and the bound knows",
+            {.hypothesis = "bounds hold in between"}, [] {
+              bool good = true;
+              for (const RotationBlend blend : {RotationBlend::slerp, RotationBlend::nlerp}) {
+                const BoundOverTime bound = Hinge(-74, 74).bound(blend);
+                good = good && bound.slabs[0].high >= 1 && bound.slabs[0].high < 1.01 && bound.slabs[0].low > 0.27 &&
+                       std::abs(bound.slabs[1].high - std::sin(74 * 3.141592653589793 / 180)) < 0.01 &&
+                       bound.slabs[2].high < 1e-3;
+              }
+              return Checked(good, 2);
+            });
+  t.example("between clips that are half a turn apart, both ways are bounded; a little less, and it is the shorter one", {}, [] {
+    bool good = true;
+    std::string seen = "of moments: ";
+    for (const RotationBlend blend : {RotationBlend::slerp, RotationBlend::nlerp}) {
+      const BoundOverTime both = Hinge(-90, 90).bound(blend), shorter = Hinge(-89, 89).bound(blend),
+                          longer = Hinge(-91, 91).bound(blend);
+      good = good && both.slabs[0].low <= -1 && both.slabs[0].high >= 1 && both.slabs[0].high < 1.01 &&
+             shorter.slabs[0].low > 0 && shorter.slabs[0].high >= 1 && longer.slabs[0].high < 0 && longer.slabs[0].low <= -1;
+      Hinge moments(-90, 90);
+      moments.first.duration = moments.second.duration = 0;
+      const BoundOverTime of_moments = moments.bound(blend);
+      seen += std::to_string(of_moments.slabs[0].low) + " to " + std::to_string(of_moments.slabs[0].high) + "; ";
+      good = good && of_moments.slabs[0].low <= -1 && of_moments.slabs[0].high >= 1 && of_moments.slabs[0].high < 1.01;
+    }
+    return Checked(good, 8, seen);
   });
   t.example("with weight 0 joints are as in the first clip, with weight 1 as in the second, each in its own time", {}, [] {
     Hinge hinge(0, 90);
@@ -457,6 +463,8 @@ PROPTEST(crossfaded_joints) {
   crossfades_are_bounded_and_hardly_more(t);
   weights_that_fade_and_ranges_without_halves(t);
   hands_half_way_between_clips(t);
+  what_is_near_half_a_turn(t);
+  clips_that_jump(t);
   what_each_clip_moves(t);
   t.holds("a vertex is as near to what is between the eight corners as the slack says, or to its linear blend, which is",
           {.number_type = "multiprecision interval",
