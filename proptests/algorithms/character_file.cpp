@@ -47,13 +47,17 @@ PieceTable& mixed(Character& c) { return c.pieces[static_cast<std::size_t>(Piece
 // Puts nodes with all triangles above the root, so that it is below so many others.
 void deepen(Character& c, int levels) {
   std::vector<TreeNode> nodes;
+  const std::vector<NodePiece> own(c.tree.pieces.begin(), c.tree.pieces.begin() + c.tree.nodes[0].piece_count);
   for (int level = 1; level <= levels; ++level) {
     TreeNode above = c.tree.nodes[0];
+    above.first_piece = static_cast<int>(own.size()) * (level - 1);
+    c.tree.pieces.insert(c.tree.pieces.begin(), own.begin(), own.end());
     above.parent = level - 2, above.first_child = level, above.child_count = 1, above.level = level;
     nodes.push_back(above);
   }
   for (TreeNode node : c.tree.nodes) {
     node.parent += levels, node.first_child += levels, node.level += levels;
+    node.first_piece += static_cast<int>(own.size()) * levels;
     nodes.push_back(node);
   }
   c.tree.nodes = std::move(nodes);
@@ -115,6 +119,13 @@ std::vector<Fault> faults() {
       {"pieces: their displacements are missing", [](Character& c) { mixed(c).displacements = {}; }},
       {"pieces: their displacements are not by", [](Character& c) { mixed(c).displacements.balls[0].target = 7; }},
       {"belong to no node", [](Character& c) { c.pieces[0].displacements.first = {0}; }},
+      {"belong to no node", [](Character& c) { c.pieces[0].references = {{{0, 0, 0}, 0}}; }},
+      {"belong to no node", [](Character& c) { c.pieces[0].weight_vertices = {1}; }},
+      {"those of nodes as a whole are the tree's", [](Character& c) { c.pieces[0] = mixed(c); }},
+      {"a joint-set names a ball", [](Character& c) { c.tree.pieces.back().reference = 1 << 29; }},
+      {"its joint-sets are not those that follow", node([](auto& n) { n[1].first_piece = n[0].first_piece; })},
+      {"weight vertices of another one", [](Character& c) { ++c.tree.pieces[0].weight_vertex_count; }},
+      {"weight vertices of another one", [](Character& c) { c.tree.pieces.back().first_weight = c.tree.pieces[0].first_weight; }},
   };
 }
 

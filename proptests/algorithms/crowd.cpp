@@ -161,6 +161,27 @@ PROPTEST(crowd) {
                        refusal({&b, nullptr}) == "collide_all: body 1 is null",
                    3);
   });
+  t.example("a body that has begun no frame is refused by name, whichever thread comes upon it", {}, [] {
+    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
+    const ClusterTree tree(c);
+    long tried = 0;
+    for (const Workers& workers : {one_worker(), oracle::workers_on_threads<2>()})
+      for (std::size_t late = 0; late < 3; ++late) {
+        ClusterBody a(tree, Skinning::linear), b(tree, Skinning::linear), d(tree, Skinning::linear);
+        ClusterBody* const bodies[] = {&a, &b, &d};
+        for (std::size_t i = 0; i < 3; ++i)
+          if (i != late) bodies[i]->begin(reference_pose(c.mesh), {});
+        CrowdCounts counts;
+        ++tried;
+        try {
+          collide_all(bodies, Query::full, counts, workers);
+          return Checked(false, tried, "not refused");
+        } catch (const std::logic_error& e) {
+          if (std::string(e.what()).find(": no frame was begun") == std::string::npos) return Checked(false, tried, e.what());
+        }
+      }
+    return Checked(true, tried);
+  });
   t.example("workers that take the tasks in another order find the same contacts", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
     const ClusterTree tree(c);

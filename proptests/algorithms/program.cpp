@@ -558,6 +558,22 @@ void options_of_what_is_not_asked_for(Suite& t) {
   });
 }
 
+void what_is_behind_a_chunk(Suite& t) {
+  t.example("behind a baked chunk there are up to three zeros, and nothing else", {}, [] {
+    const Rich rich(false, false);
+    const std::string chunk = chunk_of(read_baked(rich.folder.file("out.glb")));
+    std::string said;
+    for (std::size_t zeros = 0; zeros < 4; ++zeros) baked_of(chunk + std::string(zeros, '\0'), "out.glb");
+    for (const std::string& more : {std::string("x"), std::string("\0\0x", 3), std::string(4, '\0')}) try {
+        baked_of(chunk + more, "out.glb");
+        return Checked(false, 7, "not refused");
+      } catch (const ModelError& e) {
+        if (e.what() != std::string("out.glb: file: goes on after its end")) said += e.what();
+      }
+    return Checked(said.empty(), 7, said);
+  });
+}
+
 void clips_of_one_name(Suite& t) {
   t.example("of clips of one name collide takes one by its number, and by the name it says that there are more", {}, [] {
     const Rich rich(false, false);
@@ -723,6 +739,7 @@ PROPTEST(program) {
   collide_writes_pairs_and_certificates(t);
   collide_tells_of_long_certificates(t);
   options_of_what_is_not_asked_for(t);
+  what_is_behind_a_chunk(t);
   clips_of_one_name(t);
   parts_without_a_ball_for_any_pose(t);
   wrong_calls_and_files(t);

@@ -131,7 +131,8 @@ RefitNode<double> DeformedReference::refit_node(int n, const SkinningPalette<dou
     }
     nodes_made_.mark(n);
   }
-  return {nodes_[i], node.pieces, node.weight_vertices, palette, references_};
+  // Pieces of a node as a whole have no balls of their own.
+  return {nodes_[i], node.pieces, node.weight_vertices, palette, kind_ == Pieces::node ? node.piece_references : references_};
 }
 
 Point3 DeformedReference::vertex(int v) const {

@@ -96,11 +96,11 @@ class SkinningPalette {
   // Says whether the joints are affine. Then the palette is for linear skinning, and there is nothing but maps in it.
   bool is_affine() const { return !maps_.empty(); }
   const Vec<S, 3>& rotation_center(std::size_t joint_set) const { return rotation_centers_[joint_set]; }
-  // Scales and roundings exist in float and double. For a palette whose arrays were filled by hand, call measure() first. They
-  // hold for every skinning but Hejl's.
+  // Scales and roundings exist in float and double. For a palette whose arrays were filled by hand, call measure() first. Those
+  // of spherical skinning are those of Hejl's, too.
   const PaletteScales<S>& scales(std::size_t joint_set) const { return scales_[joint_set]; }
   const PaletteRounding<S>& rounding(std::size_t joint_set, Skinning skinning) const {
-    return roundings_[joint_set][skinning == Skinning::linear ? 0 : skinning == Skinning::spherical ? 1 : 2];
+    return roundings_[joint_set][skinning == Skinning::linear ? 0 : skinning == Skinning::dual_quaternion ? 2 : 1];
   }
 
   // Removes all joint-sets and keeps the storage.

@@ -33,7 +33,9 @@ BakedFile baked_of(std::string_view bytes, const std::string& path) {
   if (bytes.size() >= header) {
     std::uint64_t size = 0;
     BinaryReader(bytes.substr(size_at), path).number(size);
-    if (size <= bytes.size() - header && bytes.size() - header - size < 4) bytes = bytes.substr(0, header + size);
+    if (size <= bytes.size() - header && bytes.size() - header - size < 4 &&
+        bytes.find_first_not_of('\0', header + size) == std::string_view::npos)
+      bytes = bytes.substr(0, header + size);
   }
   BinaryReader in = opened(bytes, chunk_magic, chunk_version, "chunk of refitlab", path);
   std::uint32_t skinning = 0, rotations = 0;

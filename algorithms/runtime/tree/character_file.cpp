@@ -79,6 +79,8 @@ Character character_of(std::string_view bytes, const std::string& file) {
   validate(mesh);
   JointSets sets(mesh);
   check_tree(tree, mesh, sets, file);
+  if (!pieces[static_cast<std::size_t>(Pieces::node)].first.empty())
+    throw ModelError(file, "pieces", "those of nodes as a whole are the tree's");
   for (const PieceTable& table : pieces) check_pieces(table, tree, mesh, sets, file);
   NodeVertices vertices(tree, mesh);
   return {std::move(mesh), std::move(sets), std::move(tree), std::move(vertices), std::move(pieces)};
