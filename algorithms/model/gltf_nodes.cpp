@@ -2,6 +2,7 @@
 #include "algorithms/model/gltf_nodes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace refitlab {
 namespace {
@@ -104,6 +105,7 @@ NodeTransform rest_transform(const tinygltf::Node& node, const std::string& file
   if (node.rotation.size() != 4) throw ModelError(file, thing, "its rotation does not have 4 numbers");
   const Eigen::Quaterniond rotation(Eigen::Map<const Eigen::Vector4d>(node.rotation.data()));
   if (!(rotation.norm() > least_quaternion)) throw ModelError(file, thing, "its rotation is by a zero quaternion");
+  if (!std::isfinite(rotation.norm())) throw ModelError(file, thing, "its rotation is by a quaternion without a length");
   out.rotation = rotation.normalized();
   return out;
 }

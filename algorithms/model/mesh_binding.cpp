@@ -2,12 +2,23 @@
 #include "algorithms/model/mesh_binding.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <map>
 #include <tuple>
 
 namespace refitlab {
 namespace {
+
+// A mesh may be placed by any map, as its joints undo it, but what a joint has flattened at rest comes back as rounding alone. This is the
+// least that a map may stretch, as a share of the most.
+constexpr double least_stretch = 1e-6;
+
+bool can_place(const Eigen::Matrix4d& map) {
+  if (!map.allFinite()) return false;
+  const Eigen::Vector3d stretches = Eigen::JacobiSVD<Eigen::Matrix3d>(map.topLeftCorner<3, 3>()).singularValues();
+  return stretches[2] > least_stretch * stretches[0];
+}
 
 // Returns the corners of the box of a primitive. Two placements that agree there agree on the whole primitive.
 std::vector<Eigen::Vector4d> box_corners(const ScenePrimitive& primitive) {
@@ -70,7 +81,7 @@ class Binder {
     const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
     bound.placement = rest_frame(node);
     // A node that is hidden by a scale of 0 carries its mesh in its own frame.
-    if (!bound.placement.allFinite() || bound.placement.determinant() == 0) bound.placement = identity;
+    if (!can_place(bound.placement)) bound.placement = identity;
     bound.joints = {joint(node, identity, bound.placement.inverse(), bound.placement, box)};
   }
 
@@ -97,7 +108,7 @@ class Binder {
     if (b == nodes.size()) b = 0;
     const Eigen::Matrix4d found = rest_frame(nodes[b]) * offsets[b];
     const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
-    const bool keep = !found.allFinite() || found.determinant() == 0 || agree(identity, found, box, tolerance);
+    const bool keep = !can_place(found) || agree(identity, found, box, tolerance);
     return keep ? identity : found;
   }
 

@@ -155,7 +155,7 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
 
   if (!map.count("quiet")) {
     print_notes(model, errors);
-    for (const std::string& note : half_turns(model)) errors << "note: " << call.in << ": " << note << '\n';
+    for (const std::string& note : half_turns(model)) errors << "note: " << call.in << ": " << printable(note) << '\n';
   }
 
   ModelBoundsOptions bounded = call.bounds;

@@ -220,7 +220,7 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
   long missed = 0;
   const auto report = [&](const std::string& what, const Tally& tally) {
     missed += tally.missed;
-    out << what << ": " << tally.vertices << " places of vertices, " << tally.missed << " outside, " << tally.undecided
+    out << printable(what) << ": " << tally.vertices << " places of vertices, " << tally.missed << " outside, " << tally.undecided
         << " undecided";
     if (tally.missed > 0) out << "; farthest: " << tally.worst << ", by " << tally.by;
     out << '\n';

@@ -39,8 +39,19 @@ boost::program_options::variables_map parse_arguments(const std::vector<std::str
   return map;
 }
 
+std::string printable(const std::string& text) {
+  constexpr const char* digits = "0123456789abcdef";
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte != 0x7f) out += c;
+    else out += std::string("\\x") + digits[byte >> 4] + digits[byte & 15];
+  }
+  return out;
+}
+
 void print_notes(const Model& model, std::ostream& to) {
-  for (const std::string& note : model.notes) to << "note: " << model.name << ": " << note << '\n';
+  for (const std::string& note : model.notes) to << "note: " << model.name << ": " << printable(note) << '\n';
 }
 
 const char* name_of(Skinning skinning) {

@@ -39,6 +39,9 @@ boost::program_options::variables_map parse_arguments(const std::vector<std::str
 const char* name_of(Skinning skinning);
 Skinning skinning_of(const std::string& name);  // throws UsageError
 
+// Returns a text of a file as it is printed: with "\\x1b" and such for control characters, so that it stays on its line.
+std::string printable(const std::string& text);
+
 // Prints a line for each of the model's notes.
 void print_notes(const Model& model, std::ostream& to);
 

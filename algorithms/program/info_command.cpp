@@ -50,7 +50,7 @@ int run_info(const std::vector<std::string>& arguments, std::ostream& out, std::
     std::size_t keys = 0;
     for (const NodeTrack& track : clip.animation.tracks)
       keys += track.positions.keys.size() + track.rotations.keys.size() + track.scales.keys.size();
-    out << "    #" << ++number << ' ' << clip.name << ": " << clip.duration << " s, " << keys << " keys, " << rigid_or_why(clip)
+    out << "    #" << ++number << ' ' << printable(clip.name) << ": " << clip.duration << " s, " << keys << " keys, " << rigid_or_why(clip)
         << '\n';
   }
   print_notes(model, out);

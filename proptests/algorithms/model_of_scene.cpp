@@ -146,6 +146,44 @@ std::size_t joints_of_two_bones(double apart) {
   return model_of_scene(convert_scene(*s, "memory")).joints.size();
 }
 
+void what_a_flat_joint_does_to_others(Suite& t) {
+  t.example("a mesh beside a joint that is flat at rest, or nearly so, is where its node has it", {}, [] {
+    const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+    const std::vector<Eigen::Vector3d> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const Eigen::Vector3d at(1, 0, 0);
+    long tried = 0;
+    for (const double scale : {0., 1e-300, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1.})
+      for (int flat = 1; flat < 8; ++flat) {
+        Eigen::Vector3d scales = Eigen::Vector3d::Ones();
+        for (int i = 0; i < 3; ++i)
+          if (flat >> i & 1) scales[i] = scale;
+        const auto turned = [](double angle, const Eigen::Vector3d& axis) {
+          return Eigen::Matrix3d(Eigen::AngleAxisd(angle, axis.normalized()));
+        };
+        Eigen::Matrix4d joint = identity, offset = identity, place = identity;
+        joint.topLeftCorner<3, 3>() = turned(0.7, {1, 1, 0.3}) * scales.asDiagonal();
+        offset.topLeftCorner<3, 3>() = turned(0.9, {1, -2, 0.5});
+        place.topRightCorner<3, 1>() = at;
+        Scene s{"file", {{"joint", -1, joint}, {"skinned", -1, identity}, {"rigid", -1, place}}, {}, {}, {}, {}};
+        s.meshes = {{{{"skinned", corners, {{0, 1, 2}}, {{{0, 1.}}, {{0, 1.}}, {{0, 1.}}}}}}, {{{"rigid", corners, {{0, 1, 2}}}}}};
+        s.skins = {{{0}, {offset}}};
+        s.shown = {{1, 0, 0}, {2, 1, -1}};
+        const Model model = model_of_scene(s, {.joints = Joints::affine});
+        const auto matrices = skin_matrices(model.skeleton, Animation{}, 0);
+        for (const Eigen::Vector3d& corner : corners) {
+          double nearest = 1;
+          for (std::size_t v = 0; v < model.vertices.size(); ++v) {
+            const Eigen::Matrix4d& m = matrices[static_cast<std::size_t>(model.influences[v][0].joint)];
+            nearest = std::min(nearest, ((m * model.vertices[v].homogeneous()).head<3>() - corner - at).norm());
+          }
+          ++tried;
+          if (nearest > 1e-8) return Checked(false, tried, std::to_string(scale) + ": " + std::to_string(nearest));
+        }
+      }
+    return Checked(true, tried);
+  });
+}
+
 void what_has_no_triangle_and_what_has(Suite& t) {
   t.example("a skinned mesh without a triangle is not there, nor is its skin", {}, [] {
     Scene s = convert_scene(*scene(), "file");
@@ -235,6 +273,7 @@ PROPTEST(model_of_scene) {
     return Checked(found == static_cast<long>(plain.mNumVertices) && found > 0, found);
   });
   what_has_no_triangle_and_what_has(t);
+  what_a_flat_joint_does_to_others(t);
   t.example("a scene with one thing wrong is refused with the file, the thing and the reason", {}, [] {
     std::string wrong = refusal(*scene());
     for (const Broken& broken : broken_scenes()) {

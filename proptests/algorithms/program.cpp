@@ -574,6 +574,23 @@ void what_is_behind_a_chunk(Suite& t) {
   });
 }
 
+void names_that_would_leave_their_line(Suite& t) {
+  t.example("control characters of a file's names are printed by their codes, on one line", {}, [] {
+    const Rich rich(false, false);
+    const std::string in = rich.folder.file("in.glb"), odd = rich.folder.file("odd.glb"), out = rich.folder.file("odd_baked.glb");
+    std::vector<GlbChunk> chunks = read_glb(read_whole(in), in);
+    json description = json::parse(chunks[0].data);
+    description["animations"][0]["name"] = "walk\nrest pose: 0 outside\x1b[2J\x7f é";
+    chunks[0].data = description.dump();
+    write_whole(odd, glb_of(chunks, odd));
+    const Called info = call({"info", odd}), bake = call({"bake", odd, out}), check = call({"check", out});
+    const std::string name = "walk\\x0arest pose: 0 outside\\x1b[2J\\x7f é";
+    const bool good = info.out.find("#1 " + name + ": ") != std::string::npos && bake.code == 0 && check.code == 0 &&
+                      check.out.find("clip '" + name + "': ") != std::string::npos && check.out.find('\x1b') == std::string::npos;
+    return Checked(good, 3, info.out + check.out);
+  });
+}
+
 void clips_of_one_name(Suite& t) {
   t.example("of clips of one name collide takes one by its number, and by the name it says that there are more", {}, [] {
     const Rich rich(false, false);
@@ -740,6 +757,7 @@ PROPTEST(program) {
   collide_tells_of_long_certificates(t);
   options_of_what_is_not_asked_for(t);
   what_is_behind_a_chunk(t);
+  names_that_would_leave_their_line(t);
   clips_of_one_name(t);
   parts_without_a_ball_for_any_pose(t);
   wrong_calls_and_files(t);

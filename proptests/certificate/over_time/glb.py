@@ -30,6 +30,8 @@ def member(value, name, kind, otherwise=None):
     if name not in value and otherwise is not None:
         return otherwise
     found = value.get(name)
+    if kind is int and type(found) is float and found.is_integer():
+        found = int(found)  # JSON has one type of numbers
     require(type(found) is kind or (kind is float and type(found) is int), f"'{name}' of the file is no {kind.__name__}")
     return found
 

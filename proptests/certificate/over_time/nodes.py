@@ -117,11 +117,11 @@ class AnimatedNodes:
             while n >= 0 and n not in needed:
                 needed.add(n)
                 n = nodes.parents[n]
-        self.order = [n for n in nodes.order if n in needed]
+        self.needed, self.order = needed, [n for n in nodes.order if n in needed]
 
     def moving(self):
         """The channels of these nodes."""
-        return [channel for (n, path), channel in self.channels.items() if path != "weights" and n in set(self.order)]
+        return [channel for (n, path), channel in self.channels.items() if path != "weights" and n in self.needed]
 
     def value(self, n, path, times, side):
         channel = self.channels.get((n, path))

@@ -59,14 +59,20 @@ class Vertices:
         mesh = index(node, "mesh", len(self.meshes))
         skin = index(node, "skin", len(self.skins)) if "skin" in node else -1
         count, first = target_count(self.meshes, node), len(self.targets)
-        self.targets += [(n, t) for t in range(count)]
         weights = node if "weights" in node else self.meshes[mesh]
-        self.resting += finite_numbers(weights, "weights", count, [0.0] * count)
+        resting = finite_numbers(weights, "weights", count, [0.0] * count)
         joints = self.joints_of(n, skin)
+        shown = []
         for p, primitive in enumerate(items(self.meshes[mesh], "primitives", dict)):
             corners = self.corners(primitive) if "POSITION" in member(primitive, "attributes", dict) else ()
             if len(corners):
-                yield self.read_primitive(n, mesh, p, primitive, skin, corners, joints, first, count)
+                shown.append((p, primitive, corners))
+        if not shown:
+            return  # its weights move nothing
+        self.targets += [(n, t) for t in range(count)]
+        self.resting += resting
+        for p, primitive, corners in shown:
+            yield self.read_primitive(n, mesh, p, primitive, skin, corners, joints, first, count)
 
     def joints_of(self, n, skin):
         """The numbers of the skin's joints, or of the node alone."""
