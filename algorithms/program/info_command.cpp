@@ -50,8 +50,8 @@ int run_info(const std::vector<std::string>& arguments, std::ostream& out, std::
     std::size_t keys = 0;
     for (const NodeTrack& track : clip.animation.tracks)
       keys += track.positions.keys.size() + track.rotations.keys.size() + track.scales.keys.size();
-    out << "    #" << ++number << ' ' << printable(clip.name) << ": " << clip.duration << " s, " << keys << " keys, " << rigid_or_why(clip)
-        << '\n';
+    out << "    #" << ++number << ' ' << printable(clip.name) << ": " << clip.duration << " s, " << keys << " keys, "
+        << rigid_or_why(clip) << '\n';
   }
   print_notes(model, out);
   return exit_done;

@@ -119,7 +119,10 @@ std::vector<Fault> faults() {
       {"pieces: their displacements are missing", [](Character& c) { mixed(c).displacements = {}; }},
       {"pieces: their displacements are not by", [](Character& c) { mixed(c).displacements.balls[0].target = 7; }},
       {"belong to no node", [](Character& c) { c.pieces[0].displacements.first = {0}; }},
-      {"belong to no node", [](Character& c) { c.pieces[0].references = {{{0, 0, 0}, 0}}; }},
+      {"belong to no node",
+       [](Character& c) {
+         c.pieces[0].references = {{{0, 0, 0}, 0}};
+       }},
       {"belong to no node", [](Character& c) { c.pieces[0].weight_vertices = {1}; }},
       {"those of nodes as a whole are the tree's", [](Character& c) { c.pieces[0] = mixed(c); }},
       {"a joint-set names a ball", [](Character& c) { c.tree.pieces.back().reference = 1 << 29; }},

@@ -611,6 +611,32 @@ void bounds_that_leave_something_out_are_rejected(Suite& t) {
   });
 }
 
+void what_bounds_are_not_about(Suite& t) {
+  t.example(
+      "weights that move nothing but lines have no keys for a certificate, and a whole number may be written with a point", {},
+      [] {
+        gen::RichGltf rich(false, true);
+        json& file = rich.file.json;
+        const std::size_t times = rich.file.add_accessor<float>({0, 0.3F, 0.7F, 2}, "SCALAR", gen::gltf_float),
+                          weights = rich.file.add_accessor<float>({0, 1, 0.5F, 1}, "SCALAR", gen::gltf_float),
+                          positions =
+                              rich.file.add_accessor<std::array<float, 3>>({{0, 0, 0}, {1, 0, 0}}, "VEC3", gen::gltf_float);
+        const json lines = {{"mode", 1}, {"attributes", {{"POSITION", positions}}}, {"targets", {{{"POSITION", positions}}}}};
+        file["meshes"].push_back({{"primitives", {lines}}});
+        file["nodes"].push_back({{"mesh", file["meshes"].size() - 1}});
+        file["scenes"][1]["nodes"].push_back(file["nodes"].size() - 1);
+        json& clip = file["animations"][0];
+        clip["samplers"].push_back({{"input", times}, {"output", weights}});
+        clip["channels"].push_back(
+            {{"sampler", clip["samplers"].size() - 1}, {"target", {{"node", file["nodes"].size() - 1}, {"path", "weights"}}}});
+        file["scene"] = 1.0;
+        Certified it(rich.file.binary_file());
+        if (!it.refusal.empty()) return Checked(false, 1, it.refusal);
+        const std::string verdict = it.judged({it.document})[0];
+        return Checked(is_accepted(verdict), 1, verdict);
+      });
+}
+
 void slacks_of_bounds(Suite& t) {
   t.example("a slack that is 3 % less than needed is rejected, of lines and of splines", {}, [] {
     std::string wrong;
@@ -839,6 +865,7 @@ void half_turns_intervals_and_what_is_no_certificate(Suite& t) {
 }  // namespace
 
 PROPTEST(clip_certificate) {
+  what_bounds_are_not_about(t);
   bounds_that_leave_something_out_are_rejected(t);
   slacks_of_bounds(t);
   numbers_that_underflow(t);

@@ -218,6 +218,10 @@ std::vector<Change> refused_nodes() {
        },
        "node 1 'j1': its rotation is by a zero quaternion"},
       {[](json& g) {
+         g["nodes"][1]["rotation"] = {0, 0, 1e200, 0};
+       },
+       "node 1 'j1': its rotation is by a quaternion without a length"},
+      {[](json& g) {
          g["nodes"][1]["matrix"] = {1, 2};
        },
        "node 1 'j1': its matrix does not have 16 numbers"},

@@ -165,7 +165,8 @@ void what_a_flat_joint_does_to_others(Suite& t) {
         offset.topLeftCorner<3, 3>() = turned(0.9, {1, -2, 0.5});
         place.topRightCorner<3, 1>() = at;
         Scene s{"file", {{"joint", -1, joint}, {"skinned", -1, identity}, {"rigid", -1, place}}, {}, {}, {}, {}};
-        s.meshes = {{{{"skinned", corners, {{0, 1, 2}}, {{{0, 1.}}, {{0, 1.}}, {{0, 1.}}}}}}, {{{"rigid", corners, {{0, 1, 2}}}}}};
+        s.meshes = {{{{"skinned", corners, {{0, 1, 2}}, {{{0, 1.}}, {{0, 1.}}, {{0, 1.}}}}}},
+                    {{{"rigid", corners, {{0, 1, 2}}}}}};
         s.skins = {{{0}, {offset}}};
         s.shown = {{1, 0, 0}, {2, 1, -1}};
         const Model model = model_of_scene(s, {.joints = Joints::affine});
