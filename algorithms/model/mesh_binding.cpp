@@ -11,8 +11,8 @@ namespace refitlab {
 namespace {
 
 // A mesh may be placed by any map, as its joints undo it, but what a joint has flattened at rest comes back as rounding alone. This is the
-// least that a map may stretch, as a share of the most.
-constexpr double least_stretch = 1e-6;
+// least that a map may stretch, as a share of the most: rounding grows by the square of its inverse.
+constexpr double least_stretch = 1e-3;
 
 bool can_place(const Eigen::Matrix4d& map) {
   if (!map.allFinite()) return false;

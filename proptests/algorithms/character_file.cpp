@@ -63,6 +63,15 @@ void deepen(Character& c, int levels) {
   c.tree.nodes = std::move(nodes);
 }
 
+// Adds a node behind the last one, like it.
+void lengthen(Character& c) {
+  TreeNode node = c.tree.nodes.back();
+  const std::vector<NodePiece> own(c.tree.pieces.end() - node.piece_count, c.tree.pieces.end());
+  node.first_piece += node.piece_count;
+  c.tree.nodes.push_back(node);
+  c.tree.pieces.insert(c.tree.pieces.end(), own.begin(), own.end());
+}
+
 std::vector<Fault> faults() {
   const auto node = [](auto change) { return [=](Character& c) { change(c.tree.nodes); }; };
   return {
@@ -92,7 +101,7 @@ std::vector<Fault> faults() {
       {"not part of its parent's", node([](auto& n) { n[n[0].first_child].first_triangle += 1; })},
       {"do not have all of its triangles", node([](auto& n) { ++n[n[0].child_count].triangle_count; })},
       {"joint-sets out of range", node([](auto& n) { n[1].first_piece = 1 << 30; })},
-      {"without a parent", node([](auto& n) { n.push_back(n.back()); })},
+      {"without a parent", lengthen},
       {"a joint-set names a joint-set", [](Character& c) { c.tree.pieces[0].joint_set = 99; }},
       {"a joint-set names weight vertices", [](Character& c) { c.tree.pieces[0].weight_vertex_count = 0; }},
       {"a joint-set names weight vertices", [](Character& c) { c.tree.pieces[0].first_weight = -1; }},
@@ -127,7 +136,6 @@ std::vector<Fault> faults() {
       {"those of nodes as a whole are the tree's", [](Character& c) { c.pieces[0] = mixed(c); }},
       {"a joint-set names a ball", [](Character& c) { c.tree.pieces.back().reference = 1 << 29; }},
       {"its joint-sets are not those that follow", node([](auto& n) { n[1].first_piece = n[0].first_piece; })},
-      {"weight vertices of another one", [](Character& c) { ++c.tree.pieces[0].weight_vertex_count; }},
       {"weight vertices of another one", [](Character& c) { c.tree.pieces.back().first_weight = c.tree.pieces[0].first_weight; }},
   };
 }
