@@ -172,14 +172,14 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
     bounded.progress = [&](double share) { bar.show(share); };
     bounds = bound_model(model, bounded);
   }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto peak_of_bounding = peak_megabytes();
   if (!map.count("quiet"))
     for (std::size_t p = 0; p < bounds.any_pose.size(); ++p)
       if (!bounds.any_pose[p])
         errors << "note: " << call.in << ": " << name_of(bounds.parts[p].kind)
                << (bounds.parts[p].index < 0 ? "" : ' ' + std::to_string(bounds.parts[p].index))
                << ": has no ball for any pose, because no node is above all of its joints\n";
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const auto peak_of_bounding = peak_megabytes();
 
   chunks[0].data = with_extras(chunks[0].data, model, bounds, call.bounds, call.in);
   std::erase_if(chunks, [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });

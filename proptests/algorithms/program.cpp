@@ -114,6 +114,14 @@ void tamper(const std::string& path, const std::string& to, const std::function<
   chunks.back().data = chunk_of(baked);
   write_whole(to, glb_of(chunks, to));
 }
+// A file whose description is changed.
+void redescribe(const std::string& path, const std::string& to, const std::function<void(json&)>& change) {
+  std::vector<GlbChunk> chunks = read_glb(read_whole(path), path);
+  json description = json::parse(chunks[0].data);
+  change(description);
+  chunks[0].data = description.dump();
+  write_whole(to, glb_of(chunks, to));
+}
 void halve_a_box(BakedFile& baked) {
   BoundedPart& bound = baked.clusters.clips[0].clusters[0];
   bound.box.high[1] = bound.box.low[1] + (bound.box.high[1] - bound.box.low[1]) / 2;
@@ -523,12 +531,8 @@ void collide_tells_of_long_certificates(Suite& t) {
     const Rich rich(false, false);
     const std::string in = rich.folder.file("in.glb"), why = rich.folder.file("why.json"), other = rich.folder.file("other.glb");
     // The certificate has the clip's name.
-    std::vector<GlbChunk> chunks = read_glb(read_whole(in), in);
-    json description = json::parse(chunks[0].data);
     const std::string name(most_certificate_bytes, 'n');
-    description["animations"][0]["name"] = name;
-    chunks[0].data = description.dump();
-    write_whole(other, glb_of(chunks, other));
+    redescribe(in, other, [&](json& description) { description["animations"][0]["name"] = name; });
     const Called longer = call({"collide", "--clip-a", name, "--certificate", why, other, in});
     const std::string said = "note: " + why + ": is refused by checkers of certificates: the file has more than 16777216 bytes";
     const bool is_said = longer.code == 0 && longer.errors.find(said) != std::string::npos;
@@ -578,11 +582,8 @@ void names_that_would_leave_their_line(Suite& t) {
   t.example("control characters of a file's names are printed by their codes, on one line", {}, [] {
     const Rich rich(false, false);
     const std::string in = rich.folder.file("in.glb"), odd = rich.folder.file("odd.glb"), out = rich.folder.file("odd_baked.glb");
-    std::vector<GlbChunk> chunks = read_glb(read_whole(in), in);
-    json description = json::parse(chunks[0].data);
-    description["animations"][0]["name"] = "walk\nrest pose: 0 outside\x1b[2J\x7f é";
-    chunks[0].data = description.dump();
-    write_whole(odd, glb_of(chunks, odd));
+    redescribe(in, odd,
+               [](json& description) { description["animations"][0]["name"] = "walk\nrest pose: 0 outside\x1b[2J\x7f é"; });
     const Called info = call({"info", odd}), bake = call({"bake", odd, out}), check = call({"check", out});
     const std::string name = "walk\\x0arest pose: 0 outside\\x1b[2J\\x7f é";
     const bool good = info.out.find("#1 " + name + ": ") != std::string::npos && bake.code == 0 && check.code == 0 &&
@@ -595,13 +596,12 @@ void clips_of_one_name(Suite& t) {
   t.example("of clips of one name collide takes one by its number, and by the name it says that there are more", {}, [] {
     const Rich rich(false, false);
     const std::string in = rich.folder.file("in.glb"), twice = rich.folder.file("twice.glb");
-    std::vector<GlbChunk> chunks = read_glb(read_whole(in), in);
-    json description = json::parse(chunks[0].data);
-    json still = description["animations"][0];
-    description["animations"].push_back(still);
-    chunks[0].data = description.dump();
-    write_whole(twice, glb_of(chunks, twice));
-    const std::string count = std::to_string(description["animations"].size());
+    std::string count;
+    redescribe(in, twice, [&](json& description) {
+      const json still = description["animations"][0];
+      description["animations"].push_back(still);
+      count = std::to_string(description["animations"].size());
+    });
     const Called info = call({"info", twice}), named = call({"collide", "--clip-a", "move", "--time-a", "0.5", twice, in}),
                  first = call({"collide", "--clip-a", "#1", "--time-a", "0.5", twice, in}),
                  last = call({"collide", "--clip-a", "#" + count, "--time-a", "0.5", twice, in}),
@@ -620,20 +620,18 @@ void parts_without_a_ball_for_any_pose(Suite& t) {
   t.example("a mesh whose joints have no node above all of them has no ball for any pose, and bake says so", {}, [] {
     const Rich rich(false, false);
     const std::string in = rich.folder.file("in.glb"), apart = rich.folder.file("apart.glb"), out = rich.folder.file("any.glb");
-    std::vector<GlbChunk> chunks = read_glb(read_whole(in), in);
-    json description = json::parse(chunks[0].data);
     // A joint that is below others becomes a root.
-    const json joint = description["skins"][0]["joints"].back();
-    for (json& node : description["nodes"]) {
-      json left = json::array();
-      for (const json& child : node.value("children", json::array()))
-        if (child != joint) left.push_back(child);
-      if (left.empty()) node.erase("children");
-      else node["children"] = left;
-    }
-    description["scenes"][0]["nodes"].push_back(joint);
-    chunks[0].data = description.dump();
-    write_whole(apart, glb_of(chunks, apart));
+    redescribe(in, apart, [](json& description) {
+      const json joint = description["skins"][0]["joints"].back();
+      for (json& node : description["nodes"]) {
+        json left = json::array();
+        for (const json& child : node.value("children", json::array()))
+          if (child != joint) left.push_back(child);
+        if (left.empty()) node.erase("children");
+        else node["children"] = left;
+      }
+      description["scenes"][0]["nodes"].push_back(joint);
+    });
     const Called called = call({"bake", "--for", "any", apart, out}),
                  quiet = call({"bake", "--quiet", "--for", "any", apart, out}), clip = call({"bake", apart, out}),
                  whole = call({"bake", "--for", "any", in, out});

@@ -167,6 +167,8 @@ class Copy:
         if ok:
             done = subprocess.run(command, cwd=self.build_folder, text=True, capture_output=True)
             ok, output = done.returncode == 0, done.stdout + done.stderr
+        if not ok and (broken := machine_failure(output)):
+            raise CannotJudge(broken)
         return program[0] if ok else None, output[-4000:]
 
     def first_failure(self, program, limit=TIME_LIMIT, suite=None):

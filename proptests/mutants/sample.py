@@ -8,7 +8,6 @@ import time
 
 import operators
 import proofs
-import planting
 from planting import CannotJudge, ROOT
 from reach import Reach
 
@@ -146,8 +145,6 @@ def verdict_of(copy, mutant):
         with copy.planted(mutant.file, mutant.applied_to(text)):
             program, output = copy.build(group, 1, None if is_whole else mutant.file)
             if not program:
-                if broken := planting.machine_failure(output):
-                    raise CannotJudge(broken)
                 row["verdict"] = "not built"
                 break
             failures = (copy.first_failure(program, TIME_LIMIT, suite) for suite in in_order_of_time(group, copy.passed.seconds()))

@@ -78,7 +78,7 @@ class Ranges {
           stretches(model_.skeleton.nodes, animation, joints.times()[part], joints.times()[part + 1]);
       for (std::size_t n = 0; n < links.size(); ++n) {
         links_[n] = {std::max(links_[n].length, links[n].offset.size), std::max(links_[n].stretch, links[n].linear.size)};
-        stretches_[n] = {std::min(stretches_[n].least, stretched[n].least), std::max(stretches_[n].most, stretched[n].most)};
+        stretches_[n] = widest_of(stretches_[n], stretched[n]);
       }
       for (std::size_t m = 0; m < weights_.size(); ++m)
         for (std::size_t t = 0; t < weights_[m].size(); ++t)

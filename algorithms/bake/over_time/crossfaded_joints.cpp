@@ -60,8 +60,6 @@ Animation completed(const Model& model, const Animation& animation, const Animat
   return out;
 }
 
-Stretch widest_of(const Stretch& a, const Stretch& b) { return {std::min(a.least, b.least), std::max(a.most, b.most)}; }
-
 // Returns the motion over two ranges, one after the other.
 Motion<double> joined(const Motion<double>& a, const Motion<double>& b, bool with_jump) {
   const Motion<double> wide = widest(a, b);

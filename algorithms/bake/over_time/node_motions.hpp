@@ -2,6 +2,7 @@
 // These functions bound how far, how fast and with how much bend the nodes of a skeleton move between two keys of an animation.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -47,6 +48,7 @@ struct Stretch {
   double least, most;
 };
 Stretch stretch_of(const Eigen::Matrix4d& matrix);
+inline Stretch widest_of(const Stretch& a, const Stretch& b) { return {std::min(a.least, b.least), std::max(a.most, b.most)}; }
 
 // Returns the stretch of each node against its parent, from start to end as above. The least is 0 where a scale changes its sign.
 std::vector<Stretch> stretches(const std::vector<SceneNode>& nodes, const Animation& animation, double start, double end);
