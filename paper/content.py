@@ -10,6 +10,7 @@ from report.verdicts import of_lemma, said_of_claims, summed_up
 MODELS = ["man", "creature", "BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"]
 SCENES = ["far", "near", "light", "heavy", "worst"]
 CLOSE_SCENES = ["near", "light", "heavy"]  # of those that grow; far is a matter of the broad phase
+GROWN_SCENES = ["far", *CLOSE_SCENES]
 SPHERICAL = {  # as the tables call the variants of spherical blending
     "spherical_repaired": "repaired",
     "spherical_miniball": "repaired, smallest balls",

@@ -175,7 +175,10 @@ BoundScene bind_meshes(const Scene& scene) {
   }
   const auto is_skinned = [&](const BoundPrimitive& bound) { return scene.shown[bound.shown].skin >= 0; };
   if (std::none_of(out.primitives.begin(), out.primitives.end(), is_skinned))
-    throw ModelError(scene.file, "file", "no skin: no mesh has bones");
+    throw ModelError(scene.file, "file",
+                     std::any_of(scene.shown.begin(), scene.shown.end(), [](const ShownMesh& use) { return use.skin >= 0; })
+                         ? "no triangle: of the meshes that have bones, none has triangles"
+                         : "no skin: no mesh has bones");
 
   Binder binder(scene);
   for (const bool skinned_first : {true, false})

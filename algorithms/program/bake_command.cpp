@@ -138,6 +138,17 @@ Character baked_character(const Model& model) {
   return bake(std::move(mesh), {}, {Pieces::mixed}, joints_of(model));
 }
 
+// A note for each part that no node's ball encloses in any pose.
+std::vector<std::string> parts_without_ball(const ModelBounds& bounds) {
+  std::vector<std::string> out;
+  for (std::size_t p = 0; p < bounds.any_pose.size(); ++p)
+    if (!bounds.any_pose[p])
+      out.push_back(name_of(bounds.parts[p].kind) +
+                    (bounds.parts[p].index < 0 ? std::string() : ' ' + std::to_string(bounds.parts[p].index)) +
+                    ": has no ball for any pose, because no node is above all of its joints");
+  return out;
+}
+
 int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& errors) {
   const po::variables_map map = parse_arguments(arguments, options(), {"IN.glb", "OUT.glb"});
   if (map.count("help")) {
@@ -154,8 +165,8 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   const Model model = load_model(call.in, {.joints = is_linear ? Joints::affine : Joints::rigid, .morphs = Morphs::moving});
 
   if (!map.count("quiet")) {
-    print_notes(model, errors);
-    for (const std::string& note : half_turns(model)) errors << "note: " << call.in << ": " << printable(note) << '\n';
+    print_notes(call.in, model.notes, errors);
+    print_notes(call.in, half_turns(model), errors);
   }
 
   ModelBoundsOptions bounded = call.bounds;
@@ -174,12 +185,7 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto peak_of_bounding = peak_megabytes();
-  if (!map.count("quiet"))
-    for (std::size_t p = 0; p < bounds.any_pose.size(); ++p)
-      if (!bounds.any_pose[p])
-        errors << "note: " << call.in << ": " << name_of(bounds.parts[p].kind)
-               << (bounds.parts[p].index < 0 ? "" : ' ' + std::to_string(bounds.parts[p].index))
-               << ": has no ball for any pose, because no node is above all of its joints\n";
+  if (!map.count("quiet")) print_notes(call.in, parts_without_ball(bounds), errors);
 
   chunks[0].data = with_extras(chunks[0].data, model, bounds, call.bounds, call.in);
   std::erase_if(chunks, [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });

@@ -81,7 +81,7 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
   }
   const auto posed = [&](const std::string& file, const char* side) {
     Model model = load_model_guarded(file, {.joints = Joints::affine, .morphs = Morphs::moving});
-    print_notes(model, errors);
+    print_notes(model.name, model.notes, errors);
     const Clip* clip = clip_of(model.clips, file, map["clip-" + std::string(side)].as<std::string>());
     const po::variable_value& given = map["time-" + std::string(side)];
     if (!clip && !given.defaulted())

@@ -50,8 +50,8 @@ std::string printable(const std::string& text) {
   return out;
 }
 
-void print_notes(const Model& model, std::ostream& to) {
-  for (const std::string& note : model.notes) to << "note: " << model.name << ": " << printable(note) << '\n';
+void print_notes(const std::string& file, const std::vector<std::string>& notes, std::ostream& to) {
+  for (const std::string& note : notes) to << "note: " << file << ": " << printable(note) << '\n';
 }
 
 const char* name_of(Skinning skinning) {

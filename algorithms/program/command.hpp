@@ -42,8 +42,8 @@ Skinning skinning_of(const std::string& name);  // throws UsageError
 // Returns a text of a file as it is printed: with "\\x1b" and such for control characters, so that it stays on its line.
 std::string printable(const std::string& text);
 
-// Prints a line for each of the model's notes.
-void print_notes(const Model& model, std::ostream& to);
+// Prints a line for each of the notes on a file.
+void print_notes(const std::string& file, const std::vector<std::string>& notes, std::ostream& to);
 
 // A ProgressBar such as "[#####     ]  50 %" is written over itself on a terminal. Elsewhere it writes nothing.
 class ProgressBar {

@@ -53,7 +53,7 @@ int run_info(const std::vector<std::string>& arguments, std::ostream& out, std::
     out << "    #" << ++number << ' ' << printable(clip.name) << ": " << clip.duration << " s, " << keys << " keys, "
         << rigid_or_why(clip) << '\n';
   }
-  print_notes(model, out);
+  print_notes(model.name, model.notes, out);
   return exit_done;
 }
 

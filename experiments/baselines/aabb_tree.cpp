@@ -62,9 +62,9 @@ class AabbTree : public SkinningDetector {
   }
 
   std::vector<TrianglePair> query(Query query) override {
-    std::vector<TrianglePair> found;
+    candidates_.ask(query);
     pending_.assign(1, {0, 0});
-    while (!pending_.empty()) {
+    while (!pending_.empty() && !candidates_.is_done()) {
       const auto [a, b] = pending_.back();
       pending_.pop_back();
       ++counts_.volume_tests;
@@ -74,9 +74,7 @@ class AabbTree : public SkinningDetector {
       if (are_apart(grown, q)) continue;
       const Node &m = nodes_[a], &n = nodes_[b];
       if (m.right == 0 && n.right == 0) {
-        if (!touch(m.triangle, n.triangle)) continue;
-        found.push_back({m.triangle, n.triangle});
-        if (query == Query::yes_no) break;
+        candidates_.add(m.triangle, n.triangle);
       } else if (n.right == 0 || (m.right != 0 && p.extent() >= q.extent())) {
         pending_.emplace_back(a + 1, b);
         pending_.emplace_back(m.right, b);
@@ -85,7 +83,7 @@ class AabbTree : public SkinningDetector {
         pending_.emplace_back(a, n.right);
       }
     }
-    return found;
+    return candidates_.found();
   }
 
  private:

@@ -32,23 +32,22 @@ class Brown : public SkinningDetector {
   }
 
   std::vector<TrianglePair> query(Query query) override {
-    std::vector<TrianglePair> found;
+    candidates_.ask(query);
     pending_.assign(1, {0, 0});
-    while (!pending_.empty()) {
+    while (!pending_.empty() && !candidates_.is_done()) {
       const auto [a, b] = pending_.back();
       pending_.pop_back();
       if (are_apart(a, b)) continue;
       const TreeNode &p = tree_.nodes[a], &q = tree_.nodes[b];
       if (p.child_count == 0 && q.child_count == 0) {
-        test_triangles(p, q, found);
-        if (query == Query::yes_no && !found.empty()) return {found[0]};
+        add_triangles(p, q);
       } else if (q.child_count == 0 || (p.child_count > 0 && balls_[0][a].radius >= balls_[1][b].radius)) {
         for (int c = p.first_child; c < p.first_child + p.child_count; ++c) pending_.emplace_back(c, b);
       } else {
         for (int c = q.first_child; c < q.first_child + q.child_count; ++c) pending_.emplace_back(a, c);
       }
     }
-    return found;
+    return candidates_.found();
   }
 
  private:
@@ -73,11 +72,10 @@ class Brown : public SkinningDetector {
     return squared_distance<double, 3>(p.center, apply(to_first_, q.center)) > reach * reach;
   }
 
-  void test_triangles(const TreeNode& p, const TreeNode& q, std::vector<TrianglePair>& found) {
+  void add_triangles(const TreeNode& p, const TreeNode& q) {
     for (int i = p.first_triangle; i < p.first_triangle + p.triangle_count; ++i)
       for (int j = q.first_triangle; j < q.first_triangle + q.triangle_count; ++j)
-        if (touch(tree_.triangle_order[i], tree_.triangle_order[j]))
-          found.push_back({tree_.triangle_order[i], tree_.triangle_order[j]});
+        candidates_.add(tree_.triangle_order[i], tree_.triangle_order[j]);
   }
 
   const SphereTree& tree_;

@@ -35,27 +35,25 @@ class BulletDbvt : public SkinningDetector {
   }
 
   std::vector<TrianglePair> query(Query query) override {
-    Collider collider(*this, query);
+    candidates_.ask(query);
+    Collider collider(candidates_);
     try {
       trees_[0].collideTT(trees_[0].m_root, trees_[1].m_root, collider);
     } catch (const Stop&) {
     }
-    return std::move(collider.found);
+    return candidates_.found();
   }
 
  private:
   struct Stop {};  // Bullet has no other way out of the traversal
 
   struct Collider : btDbvt::ICollide {
-    Collider(BulletDbvt& self, Query query) : self(self), query(query) {}
+    explicit Collider(CandidatePairs& candidates) : candidates(candidates) {}
     void Process(const btDbvtNode* a, const btDbvtNode* b) override {
-      if (!self.touch(a->dataAsInt, b->dataAsInt)) return;
-      found.push_back({a->dataAsInt, b->dataAsInt});
-      if (query == Query::yes_no) throw Stop();
+      candidates.add(a->dataAsInt, b->dataAsInt);
+      if (candidates.is_done()) throw Stop();
     }
-    BulletDbvt& self;
-    const Query query;
-    std::vector<TrianglePair> found;
+    CandidatePairs& candidates;
   };
 
   void refit(btDbvtNode* node) {

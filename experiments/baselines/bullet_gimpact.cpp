@@ -59,15 +59,11 @@ class BulletGimpact : public SkinningDetector {
   }
 
   std::vector<TrianglePair> query(Query query) override {
-    btPairSet candidates;  // all: GImpact cannot be stopped
-    btGImpactQuantizedBvh::find_collision(&sets_[0], transform(0), &sets_[1], transform(1), candidates);
-    std::vector<TrianglePair> found;
-    for (int i = 0; i < candidates.size(); ++i) {
-      if (!touch(candidates[i].m_index1, candidates[i].m_index2)) continue;
-      found.push_back({candidates[i].m_index1, candidates[i].m_index2});
-      if (query == Query::yes_no) break;
-    }
-    return found;
+    btPairSet pairs;  // all: GImpact cannot be stopped
+    btGImpactQuantizedBvh::find_collision(&sets_[0], transform(0), &sets_[1], transform(1), pairs);
+    candidates_.ask(query);
+    for (int i = 0; i < pairs.size() && !candidates_.is_done(); ++i) candidates_.add(pairs[i].m_index1, pairs[i].m_index2);
+    return candidates_.found();
   }
 
  private:

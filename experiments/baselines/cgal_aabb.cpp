@@ -30,27 +30,25 @@ class CgalAabb : public SkinningDetector {
   }
 
   std::vector<TrianglePair> query(Query query) override {
-    Visit visit{*this, query, 0, {}};
+    candidates_.ask(query);
+    Visit visit{*this, 0};
     const CGAL::Bbox_3 all = tree_.bbox();
     for (std::size_t i = 0; i < triangles_[1].size() && visit.go_further(); ++i) {
       const CGAL::Bbox_3 box = triangles_[1][i].bbox();
       visit.second = static_cast<int>(i);
       if (CGAL::do_overlap(all, box)) tree_.traversal(box, visit);
     }
-    return visit.found;
+    return candidates_.found();
   }
 
  private:
   struct Visit {
     CgalAabb& self;
-    Query query;
     int second;
-    std::vector<TrianglePair> found;
-    bool go_further() const { return query == Query::full || found.empty(); }
+    bool go_further() const { return !self.candidates_.is_done(); }
     void intersection(const CGAL::Bbox_3& box, const Primitive& primitive) {
       if (!CGAL::do_overlap(box, primitive.id()->bbox())) return;
-      const int first = static_cast<int>(primitive.id() - self.triangles_[0].cbegin());
-      if (self.touch(first, second)) found.push_back({first, second});
+      self.candidates_.add(static_cast<int>(primitive.id() - self.triangles_[0].cbegin()), second);
     }
     template <class Node>
     bool do_intersect(const CGAL::Bbox_3& box, const Node& node) const {

@@ -16,6 +16,7 @@ class Embree : public SkinningDetector {
   explicit Embree(const Character& character) : SkinningDetector(character, Placing::all), device_(rtcNewDevice("threads=1")) {
     for (int side = 0; side < 2; ++side) {
       bodies_[side] = {this, side};
+      boxes_[side].resize(character.mesh.triangles.size());
       RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
       rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(character.mesh.triangles.size()));
       rtcSetGeometryUserData(geometry, &bodies_[side]);
@@ -48,32 +49,38 @@ class Embree : public SkinningDetector {
   }
 
   std::vector<TrianglePair> query(Query query) override {
-    query_ = query;
-    found_.clear();
-    rtcCollide(scenes_[0], scenes_[1], decide, this);
-    return found_;
+    candidates_.ask(query);
+    rtcCollide(scenes_[0], scenes_[1], add, this);
+    return candidates_.found();
   }
 
  private:
   struct Body {
-    const Embree* self;
+    Embree* self;
     int side;
   };
 
   static void bounds(const RTCBoundsFunctionArguments* arguments) {
     const auto& [self, side] = *static_cast<const Body*>(arguments->geometryUserPtr);
-    const RowBox<float> box = self->vertices_[side].box(self->model().triangles[arguments->primID]);
+    RowBox<float>& box = self->boxes_[side][arguments->primID];
+    box = self->vertices_[side].box(self->model().triangles[arguments->primID]);
     *arguments->bounds_o = {box.low[0], box.low[1], box.low[2], 0, box.high[0], box.high[1], box.high[2], 0};
   }
 
-  // Embree cannot be stopped. After the first pair the others are let through undecided.
-  static void decide(void* user, RTCCollision* collisions, unsigned count) {
+  // Embree lists all pairs of two leaves, so their boxes are compared here. It cannot be stopped: after the first pair that touches,
+  // the others are let through.
+  static void add(void* user, RTCCollision* collisions, unsigned count) {
     Embree& self = *static_cast<Embree*>(user);
-    for (unsigned i = 0; i < count; ++i) {
-      if (self.query_ == Query::yes_no && !self.found_.empty()) return;
-      const int first = static_cast<int>(collisions[i].primID0), second = static_cast<int>(collisions[i].primID1);
-      if (self.touch(first, second)) self.found_.push_back({first, second});
+    for (unsigned i = 0; i < count && !self.candidates_.is_done(); ++i) {
+      const unsigned first = collisions[i].primID0, second = collisions[i].primID1;
+      if (do_meet(self.boxes_[0][first], self.boxes_[1][second]))
+        self.candidates_.add(static_cast<int>(first), static_cast<int>(second));
     }
+  }
+
+  static bool do_meet(const RowBox<float>& a, const RowBox<float>& b) {
+    const auto apart = (a.high < b.low) | (b.high < a.low);
+    return (apart[0] | apart[1] | apart[2]) == 0;
   }
 
   RTCDevice device_;
@@ -81,8 +88,7 @@ class Embree : public SkinningDetector {
   RTCGeometry geometries_[2];
   Body bodies_[2];
   RoundedVertices vertices_[2];
-  Query query_ = Query::full;
-  std::vector<TrianglePair> found_;
+  std::vector<RowBox<float>> boxes_[2];  // by triangle, as Embree has them
 };
 
 }  // namespace

@@ -46,7 +46,8 @@ class Fcl : public SkinningDetector {
   }
 
   std::vector<TrianglePair> query(Query query) override {
-    Traversal traversal(*this, query);
+    candidates_.ask(query);
+    Traversal traversal(*this);
     TraversalNode<Volume>& node = traversal;
     fcl::Transform3<double> at[] = {transform(0), transform(1)};
     const fcl::CollisionRequest<double> request;
@@ -57,23 +58,20 @@ class Fcl : public SkinningDetector {
     else fcl::detail::initialize(node, trees_[0], at[0], trees_[1], at[1], request, unused);
     fcl::detail::collisionRecurse<double>(&traversal, 0, 0, nullptr);
     counts_.volume_tests += traversal.num_bv_tests;
-    return std::move(traversal.found);
+    return candidates_.found();
   }
 
  private:
   class Traversal : public TraversalNode<Volume> {
    public:
-    Traversal(Fcl& self, Query query) : self_(self), query_(query) { this->enable_statistics = true; }
+    explicit Traversal(Fcl& self) : self_(self) { this->enable_statistics = true; }
     void leafTesting(int first, int second) const override {
-      const TrianglePair pair{self_.trees_[0].getBV(first).primitiveId(), self_.trees_[1].getBV(second).primitiveId()};
-      if (!canStop() && self_.touch(pair.first, pair.second)) found.push_back(pair);
+      self_.candidates_.add(self_.trees_[0].getBV(first).primitiveId(), self_.trees_[1].getBV(second).primitiveId());
     }
-    bool canStop() const override { return query_ == Query::yes_no && !found.empty(); }
-    mutable std::vector<TrianglePair> found;  // FCL's leaf tests are const
+    bool canStop() const override { return self_.candidates_.is_done(); }
 
    private:
     Fcl& self_;
-    const Query query_;
   };
 
   fcl::Transform3<double> transform(int side) const {

@@ -45,9 +45,9 @@ class SpatialHash : public SkinningDetector {
   }
 
   std::vector<TrianglePair> query(Query query) override {
-    std::vector<TrianglePair> found;
+    candidates_.ask(query);
     std::fill(last_asked_.begin(), last_asked_.end(), -1);
-    for (int t = 0; t < count(); ++t) {
+    for (int t = 0; t < count() && !candidates_.is_done(); ++t) {
       const Box<double> own = box(1, t);
       for_each_cell(own, [&](std::size_t cell) {
         for (int e = heads_[cell]; e >= 0; e = entries_[e].next) {
@@ -55,15 +55,12 @@ class SpatialHash : public SkinningDetector {
           if (last_asked_[other] == t) continue;  // they share several cells
           last_asked_[other] = t;
           ++counts_.volume_tests;
-          if (are_apart(boxes_[other], own) || !touch(other, t)) continue;
-          found.push_back({other, t});
-          if (query == Query::yes_no) return false;
+          if (!are_apart(boxes_[other], own)) candidates_.add(other, t);
         }
-        return true;
+        return !candidates_.is_done();
       });
-      if (query == Query::yes_no && !found.empty()) break;
     }
-    return found;
+    return candidates_.found();
   }
 
  private:

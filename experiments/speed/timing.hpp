@@ -13,7 +13,7 @@ namespace refitlab {
 
 struct SpeedSettings {
   double seconds_per_run = 0.1;  // at least, of each repetition
-  int repetitions = 5;           // of all variants in random order, so that a drifting machine hits all of them alike
+  int repetitions = 5;  // rounds, each with all variants in random order, so that a drifting machine hits all of them alike
 };
 
 struct Timed {
@@ -27,7 +27,8 @@ enum class Clock {
   wall        // for what runs on several threads
 };
 
-// Returns nanoseconds per item by name, with an entry for each repetition. The calls are made by this thread.
+// Returns nanoseconds per item by name, with an entry for each repetition, in order. Those of one repetition were measured right
+// after each other. The calls are made by this thread.
 std::map<std::string, std::vector<double>> ns_per_item(const std::vector<Timed>& calls, const SpeedSettings& settings,
                                                        Clock clock = Clock::processor);
 

@@ -192,7 +192,8 @@ void what_has_no_triangle_and_what_has(Suite& t) {
     try {
       model_of_scene(s);
     } catch (const ModelError& e) {
-      return Checked(e.what() == std::string("file: file: no skin: no mesh has bones"), 1, e.what());
+      return Checked(e.what() == std::string("file: file: no triangle: of the meshes that have bones, none has triangles"), 1,
+                     e.what());
     }
     return Checked(false, 1, "it is accepted");
   });

@@ -10,7 +10,7 @@ namespace refitlab {
 namespace {
 
 // Pairs of candidates are listed in parts of at most so many, or those of one block of the second ones.
-constexpr int pairs_at_once = 1 << 14, open_at_once = 1 << 12;
+constexpr int pairs_at_once = 1 << 14;
 
 CandidateArrays arrays_of(Candidates& c) {
   CandidateArrays out{c.triangle.data(), c.outcodes.data(), {}, c.vertices.data()->lane.data()};
@@ -38,6 +38,29 @@ void Candidates::reserve(int triangles, int places) {
   reserve_at_least(outcodes, places);
   for (auto& side : box) reserve_at_least(side, blocks);
   reserve_at_least(vertices, triangles);
+}
+
+void DoublePairs::add(const std::array<PaddedVertex, 3>& a, const std::array<PaddedVertex, 3>& b, TrianglePair pair) {
+  TrianglePairCandidate candidate{{}, {}, pair.first, pair.second};
+  for (int i = 0; i < 3; ++i) {
+    candidate.a[i] = candidate.b[i] = static_cast<std::uint16_t>(vertices_a_.size());
+    vertices_a_.push_back(a[i]), vertices_b_.push_back(b[i]);
+  }
+  pairs_.push_back(candidate);
+}
+
+void DoublePairs::decide(std::vector<TrianglePair>& found) {
+  const DefaultFloatEnvironment environment;
+  answers_.resize(pairs_.size());
+  box_kernels(best_target())
+      .filter_pairs(vertices_a_.data(), vertices_b_.data(), pairs_.data(), static_cast<int>(pairs_.size()), answers_.data());
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    const bool meet = answers_[p] == Filtered::unknown
+                          ? triangles_meet(points_of(vertices_a_.data(), pairs_[p].a), points_of(vertices_b_.data(), pairs_[p].b))
+                          : answers_[p] == Filtered::meet;
+    if (meet) found.push_back({pairs_[p].first, pairs_[p].second});
+  }
+  vertices_a_.clear(), vertices_b_.clear(), pairs_.clear();
 }
 
 ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, QueryCounts& counts, ClusterPairScratch& scratch)
@@ -128,38 +151,18 @@ void ClusterPairs::filter(int a, int b, int count, float slack) {
                              {vertices_b.vertex[0][j], vertices_b.vertex[1][j], vertices_b.vertex[2][j]},
                              {triangles_a[i], triangles_b[j]}});
   }
-  if (scratch_.open.size() >= open_at_once) decide();
+  if (scratch_.open.size() >= DoublePairs::most) decide();
 }
 
 void ClusterPairs::decide() {
   const DefaultFloatEnvironment environment;
-  auto& pairs = scratch_.pairs;
-  auto &vertices_a = scratch_.vertices_a, &vertices_b = scratch_.vertices_b;
-  for (std::size_t from = 0; from < scratch_.open.size(); from += open_at_once) {
-    const std::size_t end = std::min<std::size_t>(scratch_.open.size(), from + open_at_once);
-    pairs.clear(), vertices_a.clear(), vertices_b.clear();
-    for (std::size_t p = from; p < end; ++p) {
-      const ClusterPairScratch::Open& open = scratch_.open[p];
-      TrianglePairCandidate pair;
-      for (int i = 0; i < 3; ++i) {
-        pair.a[i] = pair.b[i] = static_cast<std::uint16_t>(vertices_a.size());
-        vertices_a.push_back(first_.padded_vertex(open.cluster_a, open.a[i]));
-        vertices_b.push_back(second_.padded_vertex(open.cluster_b, open.b[i]));
-      }
-      pair.first = open.pair.first, pair.second = open.pair.second;
-      pairs.push_back(pair);
-    }
-    scratch_.answers.resize(pairs.size());
-    box_kernels(best_target())
-        .filter_pairs(vertices_a.data(), vertices_b.data(), pairs.data(), static_cast<int>(pairs.size()),
-                      scratch_.answers.data());
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-      const bool meet = scratch_.answers[p] == Filtered::unknown
-                            ? triangles_meet(points_of(vertices_a.data(), pairs[p].a), points_of(vertices_b.data(), pairs[p].b))
-                            : scratch_.answers[p] == Filtered::meet;
-      if (meet) found_.push_back({pairs[p].first, pairs[p].second});
-    }
+  for (const ClusterPairScratch::Open& open : scratch_.open) {
+    const auto first = [&](int i) { return first_.padded_vertex(open.cluster_a, open.a[i]); };
+    const auto second = [&](int i) { return second_.padded_vertex(open.cluster_b, open.b[i]); };
+    scratch_.doubles.add({first(0), first(1), first(2)}, {second(0), second(1), second(2)}, open.pair);
+    if (scratch_.doubles.is_full()) scratch_.doubles.decide(found_);
   }
+  scratch_.doubles.decide(found_);
   scratch_.open.clear();
 }
 

@@ -8,6 +8,23 @@
 
 namespace refitlab {
 
+// DoublePairs decides pairs of triangles on vertices in the world: in packs of doubles, and exactly what these leave unknown.
+class DoublePairs {
+ public:
+  static constexpr std::size_t most = 1 << 12;
+
+  bool is_full() const { return pairs_.size() >= most; }
+  // Requires that it is not full.
+  void add(const std::array<PaddedVertex, 3>& a, const std::array<PaddedVertex, 3>& b, TrianglePair pair);
+  // Appends to found the pairs that touch, and forgets all.
+  void decide(std::vector<TrianglePair>& found);
+
+ private:
+  std::vector<PaddedVertex> vertices_a_, vertices_b_;
+  std::vector<TrianglePairCandidate> pairs_;
+  std::vector<Filtered> answers_;
+};
+
 // ClusterPairScratch is working storage, which may be used again for any bodies.
 struct ClusterPairScratch {
   struct Open {  // a pair that floats leave unknown: its vertices by position in their clusters, and triangles of the models
@@ -18,9 +35,7 @@ struct ClusterPairScratch {
   Candidates first, second;
   std::vector<std::int32_t> of_first, of_second, meet, unknown;  // of pairs of candidates
   std::vector<Open> open;
-  std::vector<PaddedVertex> vertices_a, vertices_b;
-  std::vector<TrianglePairCandidate> pairs;
-  std::vector<Filtered> answers;
+  DoublePairs doubles;
 };
 
 class ClusterPairs {

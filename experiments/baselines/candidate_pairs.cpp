@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/baselines/candidate_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace refitlab {
+
+CandidatePairs::CandidatePairs(const SkinnedMesh& mesh, VertexInWorld vertex)
+    : mesh_(mesh),
+      vertex_(std::move(vertex)),
+      sides_{{FrameStamps(mesh.triangles.size()), std::vector<Lanes<float>>(mesh.triangles.size())},
+             {FrameStamps(mesh.triangles.size()), std::vector<Lanes<float>>(mesh.triangles.size())}},
+      meet_(many),
+      unknown_(many) {}
+
+void CandidatePairs::begin(const Point3& origin) {
+  origin_ = origin, largest_ = 0;
+  for (Side& s : sides_) s.is_made.begin();
+}
+
+void CandidatePairs::ask(Query query) {
+  query_ = query;
+  first_.clear(), second_.clear(), found_.clear();
+}
+
+void CandidatePairs::add(int first, int second) {
+  if (is_done()) return;
+  ++count_;
+  make(0, first), make(1, second);
+  first_.push_back(first), second_.push_back(second);
+  if (static_cast<int>(first_.size()) == (query_ == Query::yes_no ? few : many)) decide();
+}
+
+std::vector<TrianglePair> CandidatePairs::found() {
+  decide();
+  if (query_ == Query::yes_no && found_.size() > 1) found_.resize(1);
+  return std::move(found_);
+}
+
+void CandidatePairs::make(int side, int triangle) {
+  Side& s = sides_[side];
+  if (s.is_made.is_made(triangle)) return;
+  for (int c = 0; c < 3; ++c) {
+    const PaddedVertex& v = vertex_(side, mesh_.triangles[triangle][c]);
+    for (int i = 0; i < 3; ++i) {
+      const double seen = v.of[i] - origin_[i];
+      largest_ = std::max(largest_, std::abs(seen));
+      s.vertices[triangle].lane[3 * c + i] = static_cast<float>(seen);
+    }
+  }
+  s.is_made.mark(triangle);
+}
+
+// Rounding to float loses half of 2^-23 of a coordinate, and taking it from the origin in double less by far.
+void CandidatePairs::decide() {
+  const float slack = static_cast<float>(0x1p-23 * largest_ + least_float_slack);
+  const CandidateArrays a{nullptr, nullptr, {}, sides_[0].vertices.data()->lane.data()},
+      b{nullptr, nullptr, {}, sides_[1].vertices.data()->lane.data()};
+  int meet_count = 0, unknown_count = 0;
+  kernels_.filter(a, b, first_.data(), second_.data(), static_cast<int>(first_.size()), slack, meet_.data(), meet_count,
+                  unknown_.data(), unknown_count);
+  for (int m = 0; m < meet_count; ++m) found_.push_back({first_[meet_[m]], second_[meet_[m]]});
+  const auto points = [&](int side, int triangle) {
+    const Triangle& t = mesh_.triangles[triangle];
+    return std::array{vertex_(side, t[0]), vertex_(side, t[1]), vertex_(side, t[2])};
+  };
+  for (int m = 0; m < unknown_count; ++m) {
+    const int first = first_[unknown_[m]], second = second_[unknown_[m]];
+    doubles_.add(points(0, first), points(1, second), {first, second});
+    if (doubles_.is_full()) doubles_.decide(found_);
+  }
+  doubles_.decide(found_);
+  first_.clear(), second_.clear();
+}
+
+}  // namespace refitlab
