@@ -154,6 +154,7 @@ def numbers(results, root):
     out["reduced.cost"] = digits(deformations.cost_to_bd_tree(results, "vibration", "control_mixed", "smallest"), 2)
     verdicts = summed_up(results.rows("verdicts"))
     out["verdicts.refuted"] = whole_number(sum(v.refuted_after > 0 for v in verdicts))
+    out["verdicts.implied"] = whole_number(sum(v.implied_after > 0 for v in verdicts))
     out["verdicts.claims"] = whole_number(sum(len(v.printed_claims) + len(v.claims) for v in verdicts))
     out["verdicts.held"] = whole_number(sum(sum(v.printed_claims) + sum(v.claims) for v in verdicts))
     mutants = {verdict: len(rows) for verdict, rows in statements.rows_by(root / "proptests/mutants/judged.csv", lambda row: row["verdict"]).items()}
@@ -310,10 +311,11 @@ def verdict_table(results, lemmas):
         v = of_lemma(stem, results.select("verdicts", lemma=stem))
         if v.failed:
             raise ResultError(f"verdicts.csv: a test of {stem} failed")
-        as_printed = f"refuted after {v.refuted_after}" if v.refuted_after else "holds" if v.printed_claims else ""
+        as_printed = [f"refuted after {v.refuted_after}"] if v.refuted_after else ["holds"] * bool(v.printed_claims)
+        as_printed += [f"implied: refuted after {v.implied_after}"] * bool(v.implied_after)
         share = f"{100 * v.degenerate:.0f}\\,\\%" if v.claims else ""
         held = [said_of_claims(v.claims or ([] if v.refuted_after else v.printed_claims)), share]
-        out.append([f"\\texttt{{{escaped(stem)}}}", as_printed, *held])
+        out.append([f"\\texttt{{{escaped(stem)}}}", "; ".join(as_printed), *held])
     return table("lllr", ["statement", "as printed", "holds in", "degenerate"], out)
 
 

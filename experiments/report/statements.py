@@ -98,7 +98,7 @@ def said_of_tests(statement):
     v = statement.verdict
     if v.failed:
         return "TEST FAILED"
-    claims = [c for c in (f"refuted after {v.refuted_after}" if v.refuted_after else "", said_of_claims(v.printed_claims + v.claims)) if c]
+    claims = [c for c in (f"refuted after {v.refuted_after}" if v.refuted_after else "", f"implied: refuted after {v.implied_after}" if v.implied_after else "", said_of_claims(v.printed_claims + v.claims)) if c]
     return "; ".join(claims)
 
 

@@ -14,6 +14,7 @@ class Verdict:
     lemma: str
     failed: bool         # a test failed: then nothing is said
     refuted_after: int   # cases until the first counterexample to what is printed; 0: none was found
+    implied_after: int   # the same of what the text takes for granted without stating it
     printed_claims: list  # the cases in which each claim of what is printed held
     claims: list         # the cases in which each claim of what is repaired or goes beyond the paper held
     degenerate: float    # the share of these that were degenerate
@@ -25,9 +26,10 @@ def of_lemma(lemma, rows):
     """Returns the verdict over these rows of verdicts.csv, which are all of this lemma."""
     statements = [r for r in rows if r.role == "statement"]
     printed = [r for r in statements if r.form == "printed"]
-    repaired = [r for r in statements if r.form != "printed" and r.verdict == "holds"]
+    implied = [r for r in statements if r.form == "implied"]
+    repaired = [r for r in statements if r.form in ("repaired", "beyond") and r.verdict == "holds"]
     return Verdict(lemma, any(r.verdict == "TEST FAILED" for r in rows),
-                   min((r.cases for r in printed if r.verdict == "refuted"), default=0),
+                   *(min((r.cases for r in rows if r.verdict == "refuted"), default=0) for rows in (printed, implied)),
                    [r.cases for r in printed if r.verdict == "holds"], [r.cases for r in repaired],
                    weighted_mean([r.degenerate_share for r in repaired], [r.cases for r in repaired]) if repaired else 0,
                    sorted({r.number_type for r in rows} - {""}), sorted({r.hypothesis for r in rows} - {""}))
@@ -52,9 +54,10 @@ def said_of_claims(cases):
 def said_of_printed(verdict):
     if verdict.failed:
         return "TEST FAILED"
+    printed = f"holds ({said_of_claims(verdict.printed_claims)})" if verdict.printed_claims else ""
     if verdict.refuted_after:
-        return f"**refuted** after {verdict.refuted_after}"
-    return f"holds ({said_of_claims(verdict.printed_claims)})" if verdict.printed_claims else ""
+        printed = f"**refuted** after {verdict.refuted_after}"
+    return "; ".join([printed] * bool(printed) + [f"implied: refuted after {verdict.implied_after}"] * bool(verdict.implied_after))
 
 
 def said_of_repaired(verdict):

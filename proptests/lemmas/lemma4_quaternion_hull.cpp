@@ -237,7 +237,7 @@ void printed_statements_are_compared(Suite& t) {
             });
           });
   t.refuted("only a ball of radius below 1 bounds hulls (why section 4.3 falls back on all of S_3)",
-            {.form = "printed", .number_type = "rational"}, [] {
+            {.form = "implied", .number_type = "rational"}, [] {
               gen::for_some_dimension<2, 4>([](auto d) {
                 const auto hull = *gen::enclosed_hull<d>().as("case");
                 RC_ASSERT(radius_below_one_is_needed_printed(hull.ball) == Verdict::holds);

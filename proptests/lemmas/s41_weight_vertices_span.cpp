@@ -261,7 +261,7 @@ void weight_vertices_span_the_admissible_weights(Suite& t) {
 }
 
 void bounds_have_weight_vertices_if_compatible(Suite& t) {
-  t.refuted("any bounds have weight vertices", {.form = "printed", .number_type = "rational"},
+  t.refuted("any bounds have weight vertices", {.form = "implied", .number_type = "rational"},
             [] { RC_ASSERT(weight_vertices_exist_printed(*gen::arbitrary_bounds(4)) == Verdict::holds); });
   t.holds("bounds have weight vertices if and only if sum l <= 1 <= sum h and no l_i > h_i",
           {.form = "repaired", .number_type = "rational", .degenerate_at_least = 0.1, .degenerate_at_most = 0.9}, [] {

@@ -141,7 +141,7 @@ void checks_need_each_part(Suite& t) {
 }
 
 void printed_range_is_refuted(Suite& t) {
-  t.refuted("r < 1 and ||c|| + r >= 1 give a distance in [0, 1]", {.form = "printed", .number_type = "rational"}, [] {
+  t.refuted("r < 1 and ||c|| + r >= 1 give a distance in [0, 1]", {.form = "implied", .number_type = "rational"}, [] {
     const BallAndSphere<2> b;
     RC_ASSERT(distance_range_printed(b.center, b.radius) == Verdict::holds);
   });

@@ -192,7 +192,7 @@ void verdicts_and_checks_need_each_part(Suite& t) {
 }
 
 void printed_statements_are_refuted(Suite& t) {
-  t.refuted("a ball with r_E >= 1 needs the whole sphere", {.form = "printed", .number_type = "rational"}, [] {
+  t.refuted("a ball with r_E >= 1 needs the whole sphere", {.form = "implied", .number_type = "rational"}, [] {
     const Case c = any_cap();
     RC_ASSERT(implies(fallback_is_needed_printed(c.squared_radius), fallback_is_needed_repaired(c.center, c.squared_radius)) ==
               Verdict::holds);

@@ -220,7 +220,7 @@ void checks_need_each_part(Suite& t) {
 
 void balls_of_all_joint_sets_enclose_every_vertex(Suite& t) {
   t.refuted("a ball of the balls made with the weight vertices and rotation center of the first joint-set encloses every vertex",
-            {.form = "printed", .number_type = "rational"}, [] {
+            {.form = "implied", .number_type = "rational"}, [] {
               const Node n;
               RC_PRE(is_vertex(n));
               const auto ball = ball_around(joint_set_balls_printed<Rational>(n.sets, n.reference.center));
