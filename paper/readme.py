@@ -53,8 +53,8 @@ def queries_block(results):
     most = content.largest_growth(results)
     cpu = results.provenance["collision"]["cpu"]
     rows = []
-    for name, detector in [("`collide(ClusterBody, …)`", "clusters"), ("skin everything in float, boxes bottom-up", "skin_all_float"),
-                           ("the fastest of Embree, FCL and Bullet", None), ("sphere tree on demand, Algorithm 1 repaired", "spherical_repaired")]:
+    for name, detector in [("`collide(ClusterBody, …)` with a `PairMemory`", "clusters"), ("the same without it", "clusters_without_memory"), ("skin everything in float, boxes bottom-up", "skin_all_float"),
+                           ("the fastest of Embree, FCL and Bullet, of those that find all pairs", None), ("sphere tree on demand, Algorithm 1 repaired", "spherical_repaired")]:
         times = [content.time_of(results, s, detector) if detector else content.fastest_engine(results, s) for s in scenes]
         times += [content.grown_time(results, most, s, detector or "embree") for s in content.GROWN_SCENES]
         rows.append(f"| {name} | " + " | ".join(digits(t, 3 if t >= 100 else 2).replace("{,}", ",") for t in times) + " |")
@@ -67,16 +67,16 @@ def queries_block(results):
         ceilings[scene] = digits(whole / (whole - before), 3)
     return f"""\
 The table gives the microseconds a frame, from pose to pairs, to find all touching pairs of two walking men of 8270 triangles each
-(`{command_of(results, "collision")}`; commit {commit}, {cpu}, one thread). Every set of pairs is checked: against brute force, and in the largest models against that of the second row. The last four
-columns compare with Embree alone.
+(`{command_of(results, "collision")}`; commit {commit}, {cpu}, one thread). Every set of pairs is checked: against brute force, and in the largest models against that of the third row. All rows compare triangles in packs of
+floats first. The last four columns compare with Embree alone.
 
 | | {' | '.join(heads)} |
 |---|{'---|' * len(heads)}
 """ + "\n".join(rows) + f"""
 
-In contact most of the time goes into comparing triangles, which all of these must do. Whoever compares them as the second row does, and needs no time at
+In contact most of the time goes into comparing triangles, which all of these must do. Whoever compares them as the third row does, and needs no time at
 all for skinning and bounds, would be {ceilings['light']} times as fast as it in *light*, and {ceilings['heavy']} times in *heavy*. In *far* any method is as fast behind a box
-around the whole character, such as our motion bound: the second row then takes {digits(content.time_of(results, 'far', 'skin_all_float_bounded'), 2)} microseconds.
+around the whole character, such as our motion bound: the third row then takes {digits(content.time_of(results, 'far', 'skin_all_float_bounded'), 2)} microseconds.
 """
 
 
@@ -130,7 +130,7 @@ def engines_block(results):
     return f"""\
 The table is of {volume['clips']} clips of six characters (`{command_of(results, "engines")} --only engines`; commit {commit}). The volume is that of the box over that of the
 true box, which is around all linearly skinned vertices, on average over the clips. The next three columns count the poses, of {reference['poses']:,} with each way
-of skinning, in which a vertex is outside; where double precision cannot tell, {'exact arithmetic or 60 digits decide all of them' if undecided == 0 else f'exact arithmetic or 60 digits decide, but for {undecided}'}. The cost is from a pose, over that of joint boxes with the same SIMD.
+of skinning, in which a vertex is outside; where double precision cannot tell, {'exact arithmetic or 60 digits decide all of them' if undecided == 0 else f'exact arithmetic or 60 digits decide, but for {undecided}'}. The cost is from a pose, over that of joint boxes with the same SIMD; all vertices are skinned in double.
 
 | box | as in | volume | linear | dual quaternion | spherical | cost |
 |---|---|---|---|---|---|---|

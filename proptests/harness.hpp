@@ -23,7 +23,8 @@ namespace proptests {
 
 // What a record belongs to and how much is to be tried.
 struct Options {
-  std::string form = "";           // "printed", "implied" by what is, "repaired", "beyond", or empty for a check that is no statement of a lemma
+  std::string form =
+      "";  // "printed", "implied" by what is, "repaired", "beyond", or empty for a check that is no statement of a lemma
   std::string number_type = "";    // "rational", "interval", "double", ...
   int cases = 1000;                // random cases, unless --cases says otherwise
   int max_size = 100;              // RapidCheck's size: how wild a generated value may be

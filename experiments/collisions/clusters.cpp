@@ -8,8 +8,9 @@ namespace {
 
 class Clusters : public CountingDetector {
  public:
-  explicit Clusters(const Character& character)
-      : tree_(character),
+  Clusters(const Character& character, bool has_memory)
+      : has_memory_(has_memory),
+        tree_(character),
         first_(tree_, Skinning::spherical),
         second_(tree_, Skinning::spherical) {}
 
@@ -21,7 +22,9 @@ class Clusters : public CountingDetector {
 
   void forget() override { memory_ = {}; }
 
-  std::vector<TrianglePair> query(Query query) override { return collide(first_, second_, query, tests_, &memory_); }
+  std::vector<TrianglePair> query(Query query) override {
+    return collide(first_, second_, query, tests_, has_memory_ ? &memory_ : nullptr);
+  }
 
  private:
   void add_frame(DetectorCounts& counts) const override {
@@ -31,6 +34,7 @@ class Clusters : public CountingDetector {
     }
   }
 
+  const bool has_memory_;
   const ClusterTree tree_;
   ClusterBody first_, second_;
   PairMemory memory_;
@@ -42,8 +46,12 @@ std::vector<DetectorKind> cluster_kinds() {
   return {{"clusters",
            "boxes that hold all that the joints can make of many nodes at a time, down to clusters of up to 256 triangles, which "
            "are skinned and compared in float as by skin_all_float; "
-           "yes/no tries pairs of earlier frames first",
-           Origin::own, [](const Character& c) { return std::make_unique<Clusters>(c); }}};
+           "the pair is remembered from frame to frame: what touched is tried first, and where most of both bodies is reached, "
+           "they are "
+           "skinned whole",
+           Origin::own, [](const Character& c) { return std::make_unique<Clusters>(c, true); }},
+          {"clusters_without_memory", "clusters, each frame by itself", Origin::own,
+           [](const Character& c) { return std::make_unique<Clusters>(c, false); }}};
 }
 
 }  // namespace refitlab

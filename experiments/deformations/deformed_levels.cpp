@@ -25,7 +25,7 @@ std::vector<Levels> levels_in_pose(const Character& c, std::span<const RefitVari
     frame.begin(now.palette, &reference);
     std::vector<Ball3<double>> balls;
     for (std::size_t n = 0; n < optimal.size(); ++n) balls.push_back(frame[static_cast<int>(n)]);
-    add_balls(c, balls, optimal, skinned, out.emplace_back());
+    add_balls(c, balls, optimal, skinned, variant->sound, out.emplace_back());
   }
   return out;
 }

@@ -122,5 +122,5 @@ def section(results, page):
     facts = [{"model": m, **{q: round(results.number("deformations", model=m, kind="model", quantity=q)) for q in ("vertices", "joints", "targets")}} for m in models_of(results, "own")]
     tables = [table for kind in REDUCED_KINDS if (table := reduced_table(results, kind))]
     return {"rows": rows, "variants": VARIANTS, "goals": goals(results), "costs": costs(results), "facts": facts, "reduced": tables, "skinnings": SKINNINGS,
-            "misses": misses(results), "balls": balls(results), "tolerance": results.constant("miss_tolerance"), "plot": plot(results, first),
+            "misses": misses(results), "balls": balls(results), "plot": plot(results, first),
             "reduced_plot": reduced_plot(results, tables[0]["models"][0]) if tables else None}

@@ -19,10 +19,10 @@ inline double excess(const Ball3<double>& ball, std::span<const int> vertices, s
 }
 
 // Adds the balls of a pose to the levels. balls and optimal are by node. deformed has, by vertex, what the balls are to enclose.
-// It is empty if they need not enclose anything.
+// It is empty if they need not enclose anything. have_slack says whether the balls allow for rounding; then none is allowed here.
 inline void add_balls(const Character& c, std::span<const Ball3<double>> balls, std::span<const Ball3<double>> optimal,
-                      std::span<const Point3> deformed, std::vector<LevelTightness>& levels) {
-  const double tolerance = miss_tolerance * c.tree.nodes[0].reference.radius;
+                      std::span<const Point3> deformed, bool have_slack, std::vector<LevelTightness>& levels) {
+  const double tolerance = have_slack ? 0 : miss_tolerance * c.tree.nodes[0].reference.radius;
   levels.resize(static_cast<std::size_t>(c.tree.level_count()));
   for (std::size_t n = 0; n < balls.size(); ++n) {
     LevelTightness& level = levels[static_cast<std::size_t>(c.tree.nodes[n].level - 1)];

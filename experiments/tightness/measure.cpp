@@ -28,7 +28,7 @@ class PoseMeasurement {
     for (const Method& method : methods()) {
       const Frame& own = frame(method.variant->skinning);
       const auto balls = refit_all(c_, method, own.palette);
-      add(method.name, balls, own, true);
+      add(method.name, balls, own, true, method.variant->sound);
       if (method.name == "linear") add("linear_under_spherical", balls, spherical, true);
     }
     add("bottom_up", refit_bottom_up(c_.tree, spherical.deformed), spherical, true);
@@ -54,9 +54,10 @@ class PoseMeasurement {
     return f;
   }
 
-  void add(const std::string& column, const std::vector<Ball3<double>>& balls, const Frame& frame, bool must_enclose) {
+  void add(const std::string& column, const std::vector<Ball3<double>>& balls, const Frame& frame, bool must_enclose,
+           bool have_slack = false) {
     add_balls(c_, balls, frame.optimal, must_enclose ? std::span<const Point3>(frame.deformed) : std::span<const Point3>(),
-              out_[column]);
+              have_slack, out_[column]);
   }
 
   const AnimatedCharacter& c_;

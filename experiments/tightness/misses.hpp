@@ -8,8 +8,8 @@
 
 namespace refitlab {
 
-// A vertex counts as missed if it is outside its ball by more than this share of the root's reference radius. Skinning and refit
-// both round, each by some 1e-15 of that radius.
+// A vertex counts as missed by a ball that does not allow for rounding if it is outside by more than this share of the root's
+// reference radius. Skinning and refit both round, each by some 1e-15 of that radius.
 inline constexpr double miss_tolerance = 1e-12;
 
 // Returns whether a ball is defined. One that is not a number or has a negative radius holds nothing.

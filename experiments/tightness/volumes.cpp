@@ -33,11 +33,10 @@ double size_of(const Volume& volume) {
 
 double volume_of(const Ball3<double>& ball) { return 4 * std::numbers::pi / 3 * std::pow(ball.radius, 3); }
 
-// Returns whether all points are inside, up to the tolerance.
-bool holds_all(const Volume& volume, std::span<const Ball3<double>> points, double tolerance) {
+// Returns whether all points are inside. The volumes allow for rounding themselves.
+bool holds_all(const Volume& volume, std::span<const Ball3<double>> points) {
   return std::visit(
-      [&](auto v) {
-        for (int i = 0; i < static_cast<int>(v.low.size()); ++i) v.low[i] -= tolerance, v.high[i] += tolerance;
+      [&](const auto& v) {
         for (const auto& p : points)
           if (v.contains(p.center) != Verdict::holds) return false;
         return true;
@@ -74,7 +73,7 @@ void measure(const AnimatedCharacter& c, const std::vector<int>& nodes, const Po
       LevelVolumes& level = out[variant->name][c.tree.nodes[n].level - 1];
       const Volume volume = variant->refit(c.refit_node(n, palette, variant->pieces));
       ++level.nodes;
-      level.misses += !holds_all(volume, points, tolerance);
+      level.misses += !holds_all(volume, points);
       level.size_sum += size_of(volume);
       level.optimal_sum += size_of(variant->around(points));
       level.ball_sum += ball.radius;

@@ -58,8 +58,12 @@ Definition piece_balls (reference : ball (vec R)) (z : posed_set) : balls_or_all
     else Some [Ball (rotate q x + r')%V (radius reference)]
   | cs => cover_spherical x (radius reference) most_halvings cs
   end.
-Fixpoint node_balls (reference : ball (vec R)) (sets : list posed_set) : balls_or_all :=
-  match sets with [] => Some [] | z :: zs => join (piece_balls reference z) (node_balls reference zs) end.
+(* A node's pieces: each has a reference ball and the joint-set of its vertices; several may have one joint-set. *)
+Fixpoint node_balls (pieces : list (ball (vec R) * posed_set)) : balls_or_all :=
+  match pieces with
+  | [] => Some []
+  | (reference, z) :: more => join (piece_balls reference z) (node_balls more)
+  end.
 End Spherical.
 
 (* --- Statements --- *)
@@ -70,25 +74,25 @@ Definition edges_are_valid {E} (widest_edge : list E -> nat * nat) :=
 (* A set of points holds balls. *)
 Definition holds_all (K : vec R -> Prop) (balls : list (ball (vec R))) := forall b z, In b balls -> in_ball b z -> K z.
 
-(* Any convex set that holds the control balls of a node holds every deformed vertex of every joint-set. *)
+(* Any convex set that holds the control balls of a node holds every deformed vertex of every piece. *)
 Definition control_hull_is_sound : Prop :=
-  forall center_of_points widest_edge most_halvings (K : vec R -> Prop) (reference : ball (vec R)) (sets : list posed_set)
-    (balls : list (ball (vec R))) (z : posed_set) (w : list R) (v : vec R),
+  forall center_of_points widest_edge most_halvings (K : vec R -> Prop) (pieces : list (ball (vec R) * posed_set))
+    (balls : list (ball (vec R))) (reference : ball (vec R)) (z : posed_set) (w : list R) (v : vec R),
   edges_are_valid widest_edge -> convex_set K ->
-  node_balls center_of_points widest_edge most_halvings reference sets = Some balls -> holds_all K balls ->
-  In z sets -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
+  node_balls center_of_points widest_edge most_halvings pieces = Some balls -> holds_all K balls ->
+  In (reference, z) pieces -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
   K (deformed z w v).
 (* There always are such balls. *)
 Definition control_hull_is_bounded : Prop :=
-  forall center_of_points widest_edge most_halvings reference sets,
-  exists balls, node_balls center_of_points widest_edge most_halvings reference sets = Some balls.
+  forall center_of_points widest_edge most_halvings pieces,
+  exists balls, node_balls center_of_points widest_edge most_halvings pieces = Some balls.
 (* One ball around them, as the program returns it. *)
 Definition refit_control_hull_is_sound : Prop :=
-  forall center_of_points widest_edge most_halvings of_balls (reference : ball (vec R)) (sets : list posed_set)
-    (balls : list (ball (vec R))) (z : posed_set) (w : list R) (v : vec R),
+  forall center_of_points widest_edge most_halvings of_balls (pieces : list (ball (vec R) * posed_set))
+    (balls : list (ball (vec R))) (reference : ball (vec R)) (z : posed_set) (w : list R) (v : vec R),
   edges_are_valid widest_edge -> encloses_its_balls of_balls ->
-  node_balls center_of_points widest_edge most_halvings reference sets = Some balls ->
-  In z sets -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
+  node_balls center_of_points widest_edge most_halvings pieces = Some balls ->
+  In (reference, z) pieces -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
   in_ball (of_balls balls) (deformed z w v).
 
 (* --- Proofs --- *)
@@ -215,22 +219,22 @@ Qed.
 
 Theorem control_hull_is_sound_holds : control_hull_is_sound.
 Proof.
-  intros cp we mh K reference sets. induction sets as [|z0 sets IH]; intros balls z w v V C B H I W X N; [destruct I|].
-  cbn [node_balls] in B. destruct (piece_balls cp we mh reference z0) as [b1|] eqn:B1; [|discriminate].
-  destruct (node_balls cp we mh reference sets) as [b2|] eqn:B2; [|discriminate]. injection B as <-.
-  destruct I as [->|I].
+  intros cp we mh K pieces. induction pieces as [|[S z0] pieces IH]; intros balls reference z w v V C B H I W X N; [destruct I|].
+  cbn [node_balls] in B. destruct (piece_balls cp we mh S z0) as [b1|] eqn:B1; [|discriminate].
+  destruct (node_balls cp we mh pieces) as [b2|] eqn:B2; [|discriminate]. injection B as <-.
+  destruct I as [E|I]; [injection E as -> ->|].
   - apply (piece_balls_sound cp we mh K reference z b1); auto. intros b y A. apply H. apply in_or_app. now left.
-  - apply (IH b2); auto. intros b y A. apply H. apply in_or_app. now right.
+  - apply (IH b2 reference); auto. intros b y A. apply H. apply in_or_app. now right.
 Qed.
 
 Theorem control_hull_is_bounded_holds : control_hull_is_bounded.
 Proof.
-  intros cp we mh reference sets.
+  intros cp we mh pieces.
   assert (C : forall x r h cs, exists bs, cover_spherical cp we x r h cs = Some bs).
   { intros x r. induction h as [|h IH]; intros cs; unfold cover_spherical in *; cbn [cover]; destruct (all_near 4 cs);
       try (eexists; reflexivity). destruct (we cs) as [k l].
     destruct (IH (half l k cs)) as (b1 & ->). destruct (IH (half k l cs)) as (b2 & ->). eexists. reflexivity. }
-  induction sets as [|z sets (bs & Bs)]; [eexists; reflexivity|]. cbn [node_balls]. rewrite Bs.
+  induction pieces as [|[reference z] pieces (bs & Bs)]; [eexists; reflexivity|]. cbn [node_balls]. rewrite Bs.
   assert (P : exists ps, piece_balls cp we mh reference z = Some ps).
   { unfold piece_balls. destruct (posed_weight_vertices z) as [|[q r'] [|c2 cs]]; auto.
     destruct (Req_EM_T (norm2 q) 0); auto. eexists. reflexivity. }
@@ -242,8 +246,8 @@ Proof. intros O b z I Z. apply holds_ball_point with b; auto. Qed.
 
 Theorem refit_control_hull_is_sound_holds : refit_control_hull_is_sound.
 Proof.
-  intros cp we mh ob reference sets balls z w v V O B I W X N.
-  apply (control_hull_is_sound_holds cp we mh (in_ball (ob balls)) reference sets balls); auto.
+  intros cp we mh ob pieces balls reference z w v V O B I W X N.
+  apply (control_hull_is_sound_holds cp we mh (in_ball (ob balls)) pieces balls reference); auto.
   - apply ball_convex.
   - now apply ball_around_balls.
 Qed.
@@ -253,7 +257,7 @@ Example control_hull_instance :
   let z := PosedSet [Rigid (Quat 1 0 0 0) (Vec 0 0 0); Rigid (Quat 0 0 0 1) (Vec 5 0 0)] (Vec 0 0 0) [[1; 0]; [0; 1]] in
   let edge := fun _ : list (quat R * vec R) => (1%nat, 0%nat) in let S := Ball (Vec 2 0 0) 1 in let w := [1 / 2; 1 / 2] in
   edges_are_valid edge /\
-  (exists balls, node_balls mean edge 4 S [z] = Some balls /\ holds_all (in_ball (mean_ball balls)) balls /\
+  (exists balls, node_balls mean edge 4 [(S, z)] = Some balls /\ holds_all (in_ball (mean_ball balls)) balls /\
     convex_set (in_ball (mean_ball balls))) /\
   is_weight_vertex_combination (weight_vertices z) w /\ in_ball S (Vec 2 1 0) /\ comb w (rotations z) <> lzero.
 Proof.

@@ -42,12 +42,15 @@ Definition dual_piece_balls (reference : ball (vec R)) (z : posed_set) : balls_o
     else Some [Ball (skin_dual [q] [d] [1] (center reference)) (radius reference)]
   | cs => cover_dual (center reference) (radius reference) most_halvings cs
   end.
-Fixpoint dual_node_balls (reference : ball (vec R)) (sets : list posed_set) : balls_or_all :=
-  match sets with [] => Some [] | z :: zs => join (dual_piece_balls reference z) (dual_node_balls reference zs) end.
+Fixpoint dual_node_balls (pieces : list (ball (vec R) * posed_set)) : balls_or_all :=
+  match pieces with
+  | [] => Some []
+  | (reference, z) :: more => join (dual_piece_balls reference z) (dual_node_balls more)
+  end.
 (* One ball around them; a single one is its own. *)
-Definition refit_dual_quaternion (of_balls : list (ball (vec R)) -> ball (vec R)) (reference : ball (vec R))
-  (sets : list posed_set) : option (ball (vec R)) :=
-  match dual_node_balls reference sets with
+Definition refit_dual_quaternion (of_balls : list (ball (vec R)) -> ball (vec R))
+  (pieces : list (ball (vec R) * posed_set)) : option (ball (vec R)) :=
+  match dual_node_balls pieces with
   | None => None
   | Some [b] => Some b
   | Some bs => Some (of_balls bs)
@@ -58,17 +61,17 @@ End Dual.
 
 (* Where there are control balls, any convex set that holds them holds every deformed vertex. *)
 Definition dual_hull_is_sound : Prop :=
-  forall axis_of middle_of widest_edge most_halvings (K : vec R -> Prop) reference sets balls z w v,
+  forall axis_of middle_of widest_edge most_halvings (K : vec R -> Prop) pieces balls reference z w v,
   edges_are_valid widest_edge -> convex_set K ->
-  dual_node_balls axis_of middle_of widest_edge most_halvings reference sets = Some balls -> holds_all K balls ->
-  In z sets -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
+  dual_node_balls axis_of middle_of widest_edge most_halvings pieces = Some balls -> holds_all K balls ->
+  In (reference, z) pieces -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
   K (deformed_dual z w v).
 (* Where it is not all of space, the ball of the program holds every deformed vertex. *)
 Definition refit_dual_quaternion_is_sound : Prop :=
-  forall axis_of middle_of widest_edge most_halvings of_balls reference sets b z w v,
+  forall axis_of middle_of widest_edge most_halvings of_balls pieces b reference z w v,
   edges_are_valid widest_edge -> encloses_its_balls of_balls ->
-  refit_dual_quaternion axis_of middle_of widest_edge most_halvings of_balls reference sets = Some b ->
-  In z sets -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
+  refit_dual_quaternion axis_of middle_of widest_edge most_halvings of_balls pieces = Some b ->
+  In (reference, z) pieces -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
   in_ball b (deformed_dual z w v).
 (* The duals make what they stand for: with one joint, its rigid transform. *)
 Definition dual_is_rigid : Prop :=
@@ -157,19 +160,19 @@ Qed.
 
 Theorem dual_hull_is_sound_holds : dual_hull_is_sound.
 Proof.
-  intros ax mi we mh K reference sets. induction sets as [|z0 sets IH]; intros balls z w v V C B H I W X N; [destruct I|].
-  cbn [dual_node_balls] in B. destruct (dual_piece_balls ax mi we mh reference z0) as [b1|] eqn:B1; [|discriminate].
-  destruct (dual_node_balls ax mi we mh reference sets) as [b2|] eqn:B2; [|discriminate]. injection B as <-.
-  destruct I as [->|I].
+  intros ax mi we mh K pieces. induction pieces as [|[S z0] pieces IH]; intros balls reference z w v V C B H I W X N; [destruct I|].
+  cbn [dual_node_balls] in B. destruct (dual_piece_balls ax mi we mh S z0) as [b1|] eqn:B1; [|discriminate].
+  destruct (dual_node_balls ax mi we mh pieces) as [b2|] eqn:B2; [|discriminate]. injection B as <-.
+  destruct I as [E|I]; [injection E as -> ->|].
   - apply (dual_piece_balls_sound ax mi we mh K reference z b1); auto. intros b y A. apply H. apply in_or_app. now left.
-  - apply (IH b2); auto. intros b y A. apply H. apply in_or_app. now right.
+  - apply (IH b2 reference); auto. intros b y A. apply H. apply in_or_app. now right.
 Qed.
 
 Theorem refit_dual_quaternion_is_sound_holds : refit_dual_quaternion_is_sound.
 Proof.
-  intros ax mi we mh ob reference sets b z w v V O B I W X N. unfold refit_dual_quaternion in B.
-  destruct (dual_node_balls ax mi we mh reference sets) as [balls|] eqn:Bs; [|discriminate].
-  apply (dual_hull_is_sound_holds ax mi we mh (in_ball b) reference sets balls); auto; [apply ball_convex|].
+  intros ax mi we mh ob pieces b reference z w v V O B I W X N. unfold refit_dual_quaternion in B.
+  destruct (dual_node_balls ax mi we mh pieces) as [balls|] eqn:Bs; [|discriminate].
+  apply (dual_hull_is_sound_holds ax mi we mh (in_ball b) pieces balls reference); auto; [apply ball_convex|].
   destruct balls as [|b1 [|b2 bs]]; injection B as <-.
   - now apply ball_around_balls.
   - intros c x [->|[]] Z. exact Z.
@@ -192,7 +195,7 @@ Example refit_dual_instance :
   let z := PosedSet [Rigid (Quat 1 0 0 0) (Vec 0 0 0); Rigid (Quat (4 / 5) (3 / 5) 0 0) (Vec 5 0 0)] (Vec 0 0 0) [[1; 0]; [0; 1]] in
   edges_are_valid (fun _ : list (quat R * quat R) => (1%nat, 0%nat)) /\
   is_weight_vertex_combination (weight_vertices z) [1 / 2; 1 / 2] /\ comb [1 / 2; 1 / 2] (rotations z) <> lzero /\
-  exists balls, dual_node_balls (fun qs => hd lzero qs) (fun _ => Vec 0 0 0) (fun _ => (1%nat, 0%nat)) 0 (Ball (Vec 0 0 0) 1) [z]
+  exists balls, dual_node_balls (fun qs => hd lzero qs) (fun _ => Vec 0 0 0) (fun _ => (1%nat, 0%nat)) 0 [(Ball (Vec 0 0 0) 1, z)]
     = Some balls.
 Proof.
   cbv zeta. split; [intros cs L; lia|]. split; [apply algorithm1_instance|]. split; [apply norm2_pos_inv; cbn; vunfold; lra|].

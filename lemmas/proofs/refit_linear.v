@@ -12,8 +12,9 @@ Import ListNotations.
 Definition skin_linear (z : posed_set) (w : list R) (v : vec R) : vec R :=
   comb w (map (fun c => apply_rigid c v) (transforms z)).
 (* The balls of the reference ball's radius about the weight vertex-blended images of its center. *)
-Definition linear_balls (reference : ball (vec R)) (sets : list posed_set) : list (ball (vec R)) :=
-  flat_map (fun z => map (fun c => Ball (skin_linear z c (center reference)) (radius reference)) (weight_vertices z)) sets.
+Definition linear_balls (pieces : list (ball (vec R) * posed_set)) : list (ball (vec R)) :=
+  flat_map (fun '(reference, z) =>
+    map (fun c => Ball (skin_linear z c (center reference)) (radius reference)) (weight_vertices z)) pieces.
 
 (* --- Statements --- *)
 
@@ -22,13 +23,13 @@ Definition is_rigid_set (z : posed_set) :=
   Forall (fun c => rotation c <> lzero) (transforms z) /\ Forall (convex (length (transforms z))) (weight_vertices z).
 (* Any convex set that holds the balls holds every deformed vertex; and so does one ball around them. *)
 Definition linear_balls_are_sound : Prop :=
-  forall (K : vec R -> Prop) reference sets z w v, convex_set K -> holds_all K (linear_balls reference sets) ->
-  In z sets -> is_rigid_set z -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v ->
+  forall (K : vec R -> Prop) pieces reference z w v, convex_set K -> holds_all K (linear_balls pieces) ->
+  In (reference, z) pieces -> is_rigid_set z -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v ->
     K (skin_linear z w v).
 Definition refit_linear_is_sound : Prop :=
-  forall of_balls reference sets z w v, encloses_its_balls of_balls ->
-  In z sets -> is_rigid_set z -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v ->
-  in_ball (of_balls (linear_balls reference sets)) (skin_linear z w v).
+  forall of_balls pieces reference z w v, encloses_its_balls of_balls ->
+  In (reference, z) pieces -> is_rigid_set z -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v ->
+  in_ball (of_balls (linear_balls pieces)) (skin_linear z w v).
 
 (* --- Proofs --- *)
 
@@ -51,18 +52,18 @@ Qed.
 
 Theorem linear_balls_are_sound_holds : linear_balls_are_sound.
 Proof.
-  intros K reference sets z w v C H I [Ro Co] (u & U & Q) V. unfold skin_linear.
+  intros K pieces reference z w v C H I [Ro Co] (u & U & Q) V. unfold skin_linear.
     rewrite (swap_sums u (weight_vertices z) w) by auto.
   apply convex_set_comb; auto; [unfold weight_vertex_images; now rewrite map_length|].
   apply Forall_map, Forall_forall. intros c Ic. rewrite Forall_forall in Co.
   apply (H (Ball (skin_linear z c (center reference)) (radius reference))).
-  - apply in_flat_map. exists z. split; [exact I|]. apply in_map_iff. now exists c.
+  - apply in_flat_map. exists (reference, z). split; [exact I|]. apply in_map_iff. now exists c.
   - unfold in_ball. cbn [center radius]. eapply Rle_trans; [|exact V]. now apply rigid_images_stay; auto.
 Qed.
 
 Theorem refit_linear_is_sound_holds : refit_linear_is_sound.
 Proof.
-  intros ob reference sets z w v O I Ri W V. apply (linear_balls_are_sound_holds _ reference sets); auto.
+  intros ob pieces reference z w v O I Ri W V. apply (linear_balls_are_sound_holds _ pieces reference); auto.
   - apply ball_convex.
   - now apply ball_around_balls.
 Qed.

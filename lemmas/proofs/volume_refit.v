@@ -24,10 +24,10 @@ Definition box_directions := [Vec 1 0 0; Vec 0 1 0; Vec 0 0 1].
 
 (* The volume around the control balls of a node holds its deformed vertices. *)
 Definition volume_refit_is_sound : Prop :=
-  forall directions center_of_points widest_edge most_halvings reference sets balls z w v,
+  forall directions center_of_points widest_edge most_halvings pieces balls reference z w v,
   edges_are_valid widest_edge ->
-  node_balls center_of_points widest_edge most_halvings reference sets = Some balls ->
-  In z sets -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
+  node_balls center_of_points widest_edge most_halvings pieces = Some balls ->
+  In (reference, z) pieces -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v -> comb w (rotations z) <> lzero ->
   in_volume_around directions balls (deformed z w v).
 (* A half-space by the cone theorem: if (d, N_I) <= D W_I for all control points, whatever the signs of the W_I, then
    (d, v') <= D for every blend that is not 0. *)
@@ -74,8 +74,8 @@ Qed.
 
 Theorem volume_refit_is_sound_holds : volume_refit_is_sound.
 Proof.
-  intros ds cp we mh reference sets balls z w v V B I W X N.
-  apply (control_hull_is_sound_holds cp we mh (in_volume_around ds balls) reference sets balls); auto.
+  intros ds cp we mh pieces balls reference z w v V B I W X N.
+  apply (control_hull_is_sound_holds cp we mh (in_volume_around ds balls) pieces balls reference); auto.
   - apply volume_is_convex.
   - apply volume_holds_balls.
 Qed.

@@ -92,8 +92,8 @@ int run(int argc, char** argv) {
   const double constant = given.count("constant") ? given["constant"].as<double>()
                           : given.count("real")   ? theorem.real
                                                   : theorem.small;
-  if (!(constant == constant) || std::abs(constant) > 1024 || constant * 0x1p30 != std::floor(constant * 0x1p30))
-    throw std::runtime_error("--constant is to be a multiple of 2^-30, at most 1024");
+  if (!(0 < constant && constant <= 1024) || constant * 0x1p30 != std::floor(constant * 0x1p30))
+    throw std::runtime_error("--constant is to be a positive multiple of 2^-30, at most 1024");
   const Part part = given.count("shard") ? part_of(given["shard"].as<std::string>()) : Part{0, 1};
   const std::size_t first = part.index * cell_count / part.count, end = (part.index + 1) * cell_count / part.count;
   Progress progress(theorem.name, double(end - first) / cell_count);

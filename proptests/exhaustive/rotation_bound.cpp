@@ -99,7 +99,7 @@ std::vector<Theorem> theorems_of_rotation_bound() {
            1.41421356,
            two_joints_are_tight},
           {"rotation_bound.three",
-           "For three weight vertices, the farthest two of which are rotations by t apart, 0.1 <= t <= 120 degrees: the ball in "
+           "For three weight vertices, the farthest two of which are rotations by t apart, 0.12 <= t <= 120 degrees: the ball in "
            "which Algorithm 1 repaired "
            "with the mean holds all R_q x has at most the radius K sin(t/2) ||x||. sin(t/2) ||x|| is what these two need, for "
            "some x.",

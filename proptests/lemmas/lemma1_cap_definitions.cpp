@@ -310,7 +310,7 @@ void printed_statements_are_refuted(Suite& t) {
             });
 
   t.refuted("every half-space that meets the surface cuts out the cap of an apex and an angle, by any non-zero scalar",
-            {.form = "printed", .number_type = "rational"}, [] {
+            {.form = "implied", .number_type = "rational"}, [] {
               gen::for_some_dimension<1, 4>([](auto d) {
                 const auto c = *gen::surface_in_half_space<d>().as("case");
                 const bool negative = *rc::gen::arbitrary<bool>().as("negative scalar");
