@@ -166,6 +166,7 @@ def numbers(results, root):
     killed, alive, equivalent = (mutants.get(verdict, 0) for verdict in ("killed", "alive", "equivalent"))
     out["mutants.killed"], out["mutants.able"] = whole_number(killed), whole_number(killed + alive)
     out["mutants.equivalent"] = whole_number(equivalent)
+    out["mutants.late"] = whole_number(len(statements.rows_by(root / "proptests/mutants/judged.csv", lambda row: (row["verdict"], row["at_first"])).get(("killed", "alive"), [])))
     out["exhaustive.theorems"] = whole_number(len(statements.rows_by(root / "proptests/exhaustive/proved.csv", lambda row: row["theorem"])))
     return out
 
