@@ -193,6 +193,37 @@ Proof.
   split; [|repeat split; [repeat constructor; lra|cbn; lra]].
   apply (pairs_are_enough_holds _ [] _ (Vec 0 0 0)). intros a b [<-|[<-|[]]] [<-|[<-|[]]]; cbn [fst]; vunfold; lra.
 Qed.
+Example dual_hull_instance :
+  let weight_vertices := [(Quat 1 0 0 0, Quat 0 1 0 0); (Quat (3 / 5) (4 / 5) 0 0, Quat 0 0 1 0)] in
+  weights_are_positive (dual_points (Vec 0 1 0) weight_vertices) /\ convex (length weight_vertices) [1 / 2; 1 / 2].
+Proof.
+  split; [|repeat split; [repeat constructor; lra|cbn; lra]].
+  apply (pairs_are_enough_holds [] _ (Vec 0 0 0) _). intros a b [<-|[<-|[]]] [<-|[<-|[]]]; cbn [fst]; vunfold; lra.
+Qed.
+(* The convex sets and cones of the other statements: a half-space that has the ball about each control point, and a cone that has them all. *)
+Example convex_set_instance :
+  let weight_vertices := [(Quat 1 0 0 0, Vec 0 0 0)] in let points := spherical_points (Vec 0 1 0) weight_vertices in
+  let K := fun v : vec R => dot v (Vec 1 0 0) <= 2 in
+  convex_set K /\ weights_are_positive points /\ forall point y, In point points -> norm y <= 1 -> K (position point + y)%V.
+Proof.
+  cbv zeta. split; [|split].
+  - intros t x y T X Y. rewrite dot_add_l, !dot_scale_l. nra.
+  - unfold weights_are_positive, spherical_points. cbn. repeat apply Forall_cons; try apply Forall_nil; cbn [snd]; vunfold; lra.
+  - intros point y P Y. unfold spherical_points in P. cbn in P. destruct P as [<-|[]]. rewrite dot_add_l.
+    pose proof (dot_le_norms y (Vec 1 0 0)) as D. rewrite (norm_unit (Vec 1 0 0)) in D by (vunfold; ring).
+    match goal with |- dot ?p _ + _ <= _ => assert (dot p (Vec 1 0 0) <= 1) by (unfold position; cbn; vunfold; lra) end. lra.
+Qed.
+Example cone_instance :
+  let weight_vertices := [(Quat 1 0 0 0, Vec 0 0 0); (Quat (3 / 5) (4 / 5) 0 0, Vec 0 0 0)] in
+  let duals := [(Quat 1 0 0 0, Quat 0 1 0 0); (Quat (3 / 5) (4 / 5) 0 0, Quat 0 0 1 0)] in
+  let C := fun p : vec R * R => 0 <= snd p in
+  cone C /\ Forall C (spherical_points (Vec 0 1 0) weight_vertices) /\ Forall C (dual_points (Vec 0 1 0) duals).
+Proof.
+  cbv zeta. split; [|split].
+  - split; [|intros x y|intros a x A]; cbn [fst snd lzero ladd lscale lin_pair lin_num zero add mul ops_R]; intros; nra.
+  - eapply Forall_impl; [|exact (proj1 control_hull_instance)]. cbn. intros; lra.
+  - eapply Forall_impl; [|exact (proj1 dual_hull_instance)]. cbn. intros; lra.
+Qed.
 (* Without pairs that are positive: 104 degrees apart, and still a hull of degree 3. *)
 Example beyond_half_a_turn_instance :
   let weight_vertices := [(Quat 1 0 0 0, Vec 0 0 0); (Quat (- 1 / 4) 1 0 0, Vec 0 0 0)] in

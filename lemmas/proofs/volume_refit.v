@@ -95,8 +95,20 @@ Proof.
   rewrite Rmult_plus_distr_l, <- Rmult_assoc, Rinv_r, Rmult_1_l by lra. lra.
 Qed.
 
-(* The hypotheses can be met, and the box is no larger than it has to be: around one ball it is that of the ball. *)
-Example box_instance : in_volume_around box_directions [Ball (Vec 1 2 3) 1] (Vec 2 2 3) /\
+(* The hypotheses of volume_refit_is_sound can be met. Those of half_space_by_cone: a
+   half-space with the control points of two rotations. *)
+Definition volume_refit_instance := control_hull_instance.
+Example half_space_instance :
+  let weight_vertices := [(Quat 1 0 0 0, Vec 0 0 0); (Quat (3 / 5) (4 / 5) 0 0, Vec 0 0 0)] in let d := Vec 0 1 0 in
+  Forall (fun point => dot (fst point) d <= 2 * snd point) (spherical_points (Vec 0 1 0 - Vec 0 0 0)%V weight_vertices) /\
+  convex (length weight_vertices) [1 / 2; 1 / 2] /\ comb [1 / 2; 1 / 2] (map fst weight_vertices) <> lzero.
+Proof.
+  split; [|split; [repeat split; [repeat constructor; lra|cbn; lra]|apply norm2_pos_inv; cbn; vunfold; lra]].
+  unfold spherical_points. cbn. repeat apply Forall_cons; try apply Forall_nil; cbn [fst snd]; vunfold; lra.
+Qed.
+
+(* The box is no larger than it has to be: around one ball it is that of the ball. *)
+Example box_is_tight : in_volume_around box_directions [Ball (Vec 1 2 3) 1] (Vec 2 2 3) /\
   ~ in_volume_around box_directions [Ball (Vec 1 2 3) 1] (Vec 3 2 3).
 Proof.
   assert (N : forall d : vec R, norm2 d = 1 -> norm d = 1) by (intros d; apply norm_unit).

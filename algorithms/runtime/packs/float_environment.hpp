@@ -2,9 +2,9 @@
 // All derivations of rounding count on this floating-point environment: it rounds to nearest and keeps denormal numbers.
 //
 // Programs change it for themselves. Engines, and programs linked with -ffast-math, flush denormals to zero, after an operation
-// (FTZ) or before it (DAZ), and interval arithmetic rounds upward. So every public function that is compiled into the library and computes begins with a
-// DefaultFloatEnvironment. Its results are the same, to the last bit, in every environment that the caller may have, and the
-// caller gets that back.
+// (FTZ) or before it (DAZ), and interval arithmetic rounds upward. So every public function that is compiled into the library and
+// computes begins with a DefaultFloatEnvironment. Its results are the same, to the last bit, in every environment that the caller
+// may have, and the caller gets that back.
 #pragma once
 
 #include <cstdint>

@@ -62,7 +62,8 @@
 namespace refitlab {
 
 // The errors of the operations, in u and relative to the lengths of vectors and quaternions. proptests/gappa has a proof of
-// each, by component and at unit length. proptests/algorithms/palette_rounding.cpp compares them with running errors.
+// each but the last, by component and at unit length. proptests/algorithms/bound_budgets.cpp derives those of whole vectors, and
+// palette_rounding.cpp there compares them with running errors.
 namespace rounding {
 inline constexpr int squared_length = 5;  // of a quaternion
 inline constexpr int rotate = 24;         // by a quaternion taken to be of unit length

@@ -69,6 +69,13 @@ let encode length value =
   Buffer.add_char out '\n';
   Buffer.contents out
 
+(* Half of a character beyond 0xffff, which no text has: it would be ED and then at least A0. *)
+let has_half_character text =
+  let rec from i = match String.index_from_opt text i '\xed' with
+    | Some i when i + 1 < String.length text -> text.[i + 1] >= '\xa0' || from (i + 1)
+    | _ -> false in
+  from 0
+
 (* Reads a text that is in canonical form, and rejects any other: what is read is what encode makes this text of. The order of keys
    is kept: whoever reads an object says which keys it has, in order. *)
 let parse text =
@@ -93,7 +100,7 @@ let parse text =
         | '"' ->
             let raw = String.sub text (first - 1) (i + 2 - first) in
             let read = try Yojson.Safe.from_string raw with Yojson.Json_error _ -> no_form () in
-            (match read with `String s when string_of s = raw -> at := i + 1; s | _ -> no_form ())
+            (match read with `String s when string_of s = raw && not (has_half_character s) -> at := i + 1; s | _ -> no_form ())
         | '\\' -> escaped (i + 2)
         | c -> if c >= ' ' && c <= '~' then escaped (i + 1) else no_form () in
     plain first in
