@@ -15,6 +15,7 @@
 #include "algorithms/runtime/refit/deformed_reference.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/verification/exact_skin.hpp"
+#include "proptests/gen/accepted.hpp"
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/refuses.hpp"
@@ -249,6 +250,30 @@ void check_clusters() {
             oracle::all_pairs(mesh.triangles, skinned[0], mesh.triangles, skinned[1]));
 }
 
+// Vertices where the ball of a deformed body is attained, in placements that stretch it along an axis, or shrink it.
+void check_attained() {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  const gen::AttainedOptions options{.unit = *rc::gen::element(1.0, 1.0, 1e-12, 1e-30, 1e9, 1e30),
+                                     .far = *rc::gen::element(0.0, 1.0, 1e6),
+                                     .joints = *rc::gen::element(1, 2, 5, 17)};
+  gen::Attained scene = gen::attained(random, options);
+  const Skinning skinning = gen::random_skinning(random);
+  SkinnedMesh& mesh = scene.mesh;
+  // All vertices go the same way, or stay.
+  const Point3 way = random() % 2 ? Point3(0, 0, 0) : Point3(0.25, -0.5, 1) * options.unit;
+  mesh.targets = {1, std::vector(mesh.vertices.size(), std::vector<Displacement<double>>{{0, way}})};
+  const Deformation deformation{{*rc::gen::element(0.0, 1.0, -0.5)}, {}};
+  const Character c = bake(mesh, {.triangles_per_leaf = *rc::gen::element(1, 8)}, {Pieces::mixed});
+  const ClusterTree tree(c);
+  ClusterBody body(tree, skinning);
+  body.begin(scene.pose, scene.placement, deformation);
+  auto skinned = skin(mesh, c.sets, make_skinning_palette(mesh, c.sets, scene.pose, skinning), skinning, deformation);
+  for (Point3& v : skinned) v = apply(scene.placement, v);
+  RC_LOG() << scene.what;
+  RC_CLASSIFY(squared_norm(scene.placement.rotation) > 1 + 1e-7, "stretched");
+  assert_held(body, skinned, false);
+}
+
 // One triangle whose corners are all of the same joints, with equal weights.
 SkinnedMesh even_triangle(int joints, const Point3& a, const Point3& b, const Point3& c) {
   SkinnedMesh mesh;
@@ -383,6 +408,8 @@ PROPTEST(affine_boxes) {
           check_many_joints);
   t.holds("boxes beyond the range of float hold everything rather than nothing",
           {.number_type = "double", .cases = 1000, .tags_at_least = {{"held", 0.6}}}, check_far_boxes);
+  t.holds("boxes of deformed bodies hold vertices where their balls are attained, however long a placement's quaternion is",
+          {.number_type = "double", .cases = 600, .tags_at_least = {{"stretched", 0.15}}}, check_attained);
   t.holds("a frame that is refused leaves the one before as it was",
           {.number_type = "double", .cases = 300, .tags_at_least = {{"deformed", 0.3}}}, check_refused_frames);
   t.example("clusters refuse affine joints in a skinning of rotations, and have no palettes of them in float", {}, [] {

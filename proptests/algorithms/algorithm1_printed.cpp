@@ -2,6 +2,9 @@
 // Algorithm 1 as printed: where it fails, and where it is right.
 #include "algorithms/methods/refit/algorithm1_printed.hpp"
 
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
 #include <random>
 
 #include "algorithms/runtime/refit/algorithm1_repaired.hpp"
@@ -109,9 +112,40 @@ Checked share_not_a_number(int joints, double at_least) {
   return Checked(share > at_least && n.repaired_wrong == 0, n.balls, text);
 }
 
+// Of any unit quaternion, by Eigen's conversion of its matrix. Where it is not clear which coordinate is the largest, or whether the
+// trace is positive, rounding decides.
+void check_conversion() {
+  Quaternion<double> q;
+  do
+    for (double& x : q) x = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-10, 11));
+  while (q.isZero());
+  if (*rc::gen::inRange(0, 3) > 0) q[0] = *rc::gen::element(0, 0, 1, -1);
+  if (q.isZero()) q[*rc::gen::inRange(1, 4)] = *rc::gen::element(1, -1);
+  q.normalize();
+  const Eigen::Matrix3d matrix = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  Eigen::Index largest;
+  Eigen::Vector3d diagonal = matrix.diagonal();
+  const double trace = diagonal.sum(), most = diagonal.maxCoeff(&largest);
+  diagonal[largest] = -2;
+  if (std::abs(trace) < 1e-9 || (trace < 0 && most - diagonal.maxCoeff() < 1e-9)) {
+    RC_TAG("by rounding");
+    return;
+  }
+  RC_TAG(trace > 0 ? "by the real part" : std::array{"by x", "by y", "by z"}[static_cast<std::size_t>(largest)]);
+  const Eigen::Quaterniond usual(matrix);
+  const Quaternion<double> expected(usual.w(), usual.x(), usual.y(), usual.z()), found = matrix_to_quaternion(q);
+  RC_ASSERT((found - expected).norm() < 1e-12);
+  RC_ASSERT(found == q || found == -q);
+}
+
 }  // namespace
 
 PROPTEST(algorithm1_printed) {
+  t.holds("a quaternion from a matrix has the sign of the usual conversion, and is else the rotation's own",
+          {.number_type = "double",
+           .cases = 500,
+           .tags_at_least = {{"by the real part", 0.1}, {"by x", 0.1}, {"by y", 0.1}, {"by z", 0.1}}},
+          check_conversion);
   for (const auto& pinned : counterexamples::algorithm1())
     t.example("the repaired ball encloses the pinned vertex, the printed one does not: " + pinned.finding,
               {.form = "printed", .number_type = "interval to exact"}, [&pinned] { return replay(pinned); });

@@ -8,7 +8,9 @@
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/bake/over_time/model_bounds.hpp"
 #include "algorithms/bake/over_time/moving_vertices.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "proptests/gen/animated_model.hpp"
+#include "proptests/gen/model_of_nodes.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_any_pose {
@@ -86,6 +88,12 @@ void vertices_stay_within_the_radius(Suite& t) {
             cell.defect = 0;
             const double error = 2 * vertices.placing_error(cell) + 1e-12 * (center.norm() + bound.radius);
             for (const Point3& p : points) RC_ASSERT((p - center).norm() <= bound.radius + error);
+            if (skinning != Skinning::linear) continue;
+            // A renderer rounds both in the scene's frame, and loses no less than this of how far they are from the origin there.
+            const double lost = *rc::gen::element(0x1p-19, 1e-3, 1.0);
+            const double wider = bound_any_pose(model, sets, all, skinning, lost).value().radius - bound.radius;
+            for (const Point3& p : points)
+              RC_ASSERT(lost * (p.norm() + center.norm()) <= wider * (1 + 1e-9) + error + 1e-12 * bound.radius);
           }
         });
 }
@@ -110,7 +118,68 @@ Eigen::Matrix4d moved_by(const Point3& by) {
   return out;
 }
 
+// A vertex at its joint that morph targets take away along one line, all of them the same way. Clips have other weights.
+Checked check_rounding_of_displacements() {
+  long tried = 0;
+  for (const std::vector<double>& weights : {std::vector<double>{1}, {-1, 2}, {0.5, 0, -3}})
+    for (const double far : {1.0, 1e6})
+      for (const double in_clip : {0.0, 0.25, 4.0})
+        for (const double lost : {0.0, 0x1p-19, 0.5}) {
+          Model model = thing_at(Eigen::Matrix4d::Identity(), Eigen::Matrix4d::Identity(), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+          MorphedMesh mesh{0, weights, {}};
+          double away = 0;
+          for (std::size_t t = 0; t < weights.size(); ++t) {
+            const Point3 by(std::copysign(far, weights[t]), 0, 0);
+            mesh.targets.push_back({{{0, by}, {1, by}}});
+            away += std::max(in_clip, 1.0) * std::abs(weights[t]) * far;
+          }
+          model.morphs = {mesh};
+          const Eigen::VectorXd moved =
+              in_clip * Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
+          Animation animation{"moves", 1, {}};
+          animation.weight_tracks.push_back({0, {{{0, moved}}, Interpolation::linear, {}}});
+          model.clips.push_back({"moves", 1, {}, animation});
+          validate(model);
+          const double radius =
+              bound_any_pose(model, JointSets(model), std::vector<int>{0}, Skinning::linear, lost).value().radius;
+          if (!((1 + lost) * away <= radius && radius <= (1 + lost) * away * (1 + 1e-8)))
+            return Checked(false, tried, std::to_string(away) + " by " + std::to_string(lost) + ": " + std::to_string(radius));
+          ++tried;
+        }
+  return Checked(true, tried);
+}
+
+// Links in a row, of any lengths and scales, and a vertex at the tip that the root's joint moves, too.
+Checked check_stretched_arms() {
+  std::mt19937 random(7);
+  const auto pick = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+  const auto digits = [&] { return std::uniform_real_distribution<double>(1, 2)(random); };
+  long tried = 0;
+  for (; tried < 300; ++tried) {
+    std::vector<SceneNode> nodes;
+    const int links = pick(2, 6);
+    const bool has_scales = pick(0, 1) == 1;
+    for (int n = 0; n <= links; ++n) {
+      const double length = std::ldexp(digits(), -pick(0, 60)), scale = has_scales ? digits() / 2 + pick(0, 1) : 1;
+      Eigen::Matrix4d local = moved_by({length, 0, 0});
+      local.topLeftCorner<3, 3>() *= scale;
+      nodes.push_back({"node " + std::to_string(n), n - 1, local});
+    }
+    Model model = gen::model_of_nodes("arm", nodes);
+    model.vertices = {{0, 0, 0}}, model.triangles = {{0, 0, 0}}, model.influences = {{{0, 0.5}, {links, 0.5}}};
+    Rational reach(0);
+    for (int n = links; n > 0; --n) reach = Rational(nodes[n].local(0, 0)) * reach + Rational(nodes[n].local(0, 3));
+    reach *= Rational(nodes[0].local(0, 0));
+    const AnyPoseBound bound = bound_any_pose(model, JointSets(model), std::vector<int>{0}, Skinning::linear).value();
+    if (!(bound.node == 0 && reach <= Rational(bound.radius) && Rational(bound.radius) <= reach * Rational(1 + 0x1p-29)))
+      return Checked(false, tried, std::to_string(bound.radius));
+  }
+  return Checked(true, tried);
+}
+
 void what_is_small_beside_its_place(Suite& t) {
+  t.example("what morph targets move a vertex by is rounded with it, and widens the radius by as much as it may be lost", {},
+            check_rounding_of_displacements);
   t.example("a joint that scales by 1.0009 is replaced by a rigid one, which carries what is far from the origin elsewhere", {},
             [] {
               const Point3 at(100, 0, 0);
@@ -187,6 +256,8 @@ void what_is_small_beside_its_place(Suite& t) {
 PROPTEST(any_pose) {
   vertices_stay_within_the_radius(t);
   what_is_small_beside_its_place(t);
+  t.example("a stretched arm reaches the radius, exactly but for rounding, and does not reach beyond it",
+            {.number_type = "rational"}, check_stretched_arms);
   t.example("a stretched arm reaches the radius, and joints of two trees have no node above them", {}, [] {
     // Two links of lengths 2 and 3, scaled by 2 and 1, and a vertex 1 below the last: 2 (3 + 1 * 1) = 8 from the first joint.
     Model model;

@@ -23,8 +23,8 @@ struct Extreme {
 
 class Scene {
  public:
-  Scene(const Model& model, Skinning skinning, std::vector<Point3> directions)
-      : animation_(model.clips[0].animation),
+  Scene(const Model& model, Skinning skinning, std::vector<Point3> directions, std::size_t clip = 0)
+      : animation_(model.clips[clip].animation),
         sets_(model),
         joints_(model, animation_, skinning != Skinning::linear),
         vertices_(model, sets_, skinning, gen::all_of(model.vertices)),
@@ -282,6 +282,46 @@ void bounds_hold_and_converge(Suite& t) {
       });
 }
 
+// Both clips of a model, one after the other, in one bound.
+void check_two_clips_together() {
+  const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::dual_quaternion);
+  const bool is_rigid = skinning != Skinning::linear;
+  const auto plan = *rc::gen::arbitrary<bool>() ? gen::draw_smooth_plan(is_rigid) : gen::draw_animated_plan(is_rigid);
+  RC_LOG() << plan << " skinning " << static_cast<int>(skinning);
+  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  Model model = gen::animated_model(plan);
+  Animation second = gen::second_animation(plan, model);
+  model.clips.push_back({"second", second.duration, {}, second});
+  if (*rc::gen::arbitrary<bool>()) std::swap(model.clips[0], model.clips[1]);
+  std::mt19937 random(plan.seed + 3);
+  const std::vector<Point3> directions = some_directions(random);
+  std::optional<Scene> scenes[2];
+  BoundOverTime bound, own;
+  try {
+    for (const std::size_t clip : {0, 1}) scenes[clip].emplace(model, skinning, directions, clip);
+    const MovingJoints* const joints[] = {&scenes[0]->joints(), &scenes[1]->joints()};
+    bound = bound_over_time(joints, scenes[0]->vertices(), {0.1, directions, true, 1 << 10});
+    own = scenes[0]->bound(0.1);
+  } catch (const ModelError& e) {
+    RC_ASSERT(is_refusal(e.what()));
+    RC_TAG("refused");
+    return;
+  }
+  bool goes_farther = false;
+  std::uniform_real_distribution<double> share(0, 1);
+  for (const std::size_t clip : {0, 1}) {
+    const double duration = model.clips[clip].animation.duration;
+    std::vector<double> times = {0, duration, duration * share(random), duration * share(random)};
+    const auto& ends = scenes[clip]->joints().times();
+    for (int i = 0; i < 4; ++i) times.push_back(ends[random() % ends.size()]);
+    for (const double time : times) {
+      RC_ASSERT(scenes[clip]->holds(bound, time, Side::after) != Verdict::fails);
+      goes_farther = goes_farther || scenes[clip]->holds(own, time, Side::after) == Verdict::fails;
+    }
+  }
+  RC_CLASSIFY(goes_farther, "the second clip goes farther");
+}
+
 void what_is_reached_between_keys_and_at_jumps(Suite& t) {
   t.example("keys alone miss what a slerp reaches between them, and so does a sample at a rate that jumps over it",
             {.hypothesis = "bounds are blown up by the slack"}, [] {
@@ -368,6 +408,12 @@ void rounding_outward_and_axes_of_slabs(Suite& t) {
 
 PROPTEST(bound_over_time) {
   bounds_hold_and_converge(t);
+  t.holds("a bound of several clips together holds for each of them",
+          {.number_type = "double",
+           .cases = 120,
+           .degenerate_at_most = 0.9,
+           .tags_at_least = {{"the second clip goes farther", 0.3}}},
+          check_two_clips_together);
   t.example("a tolerance that is not positive is refused", {}, [] {
     const Model model = swinging();
     bool good = true;

@@ -2,6 +2,8 @@
 // A baked character comes back from its bytes as it was; bytes that are no such file, or that fit nothing, are refused.
 #include "algorithms/runtime/tree/character_file.hpp"
 
+#include <array>
+#include <cmath>
 #include <functional>
 
 #include "algorithms/bake/bake.hpp"
@@ -43,6 +45,7 @@ struct Fault {
 };
 
 PieceTable& mixed(Character& c) { return c.pieces[static_cast<std::size_t>(Pieces::mixed)]; }
+PieceTable& of_joint_sets(Character& c) { return c.pieces[static_cast<std::size_t>(Pieces::joint_sets)]; }
 
 // Puts nodes with all triangles above the root, so that it is below so many others.
 void deepen(Character& c, int levels) {
@@ -70,6 +73,78 @@ void lengthen(Character& c) {
   node.first_piece += node.piece_count;
   c.tree.nodes.push_back(node);
   c.tree.pieces.insert(c.tree.pieces.end(), own.begin(), own.end());
+}
+
+// Puts a weight vertex of three joints beside their simplex, although no weight is above 1 and their sum is 1.
+void leave_simplex(Character& c) {
+  c = bake(gen::make_mesh({gen::MeshKind::tube, 4, 6, 3, 1}));
+  for (const NodePiece& piece : c.tree.pieces)
+    if (c.sets.joints(piece.joint_set).size() == 3)
+      for (int i = 0; i < 3; ++i)
+        c.tree.weight_vertices[static_cast<std::size_t>(piece.first_weight + i)] = std::array{-0.25, 1., 0.25}[i];
+}
+
+// Lets a piece begin at a weight vertex in the midst of those of an earlier piece of its joint-set.
+void begin_within_another(std::vector<NodePiece>& pieces, const JointSets& sets) {
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t j = i + 1; j < pieces.size(); ++j) {
+      if (pieces[i].joint_set != pieces[j].joint_set || pieces[i].weight_vertex_count < 2) continue;
+      const auto joints = static_cast<int>(sets.joints(pieces[i].joint_set).size());
+      pieces[j].first_weight = pieces[i].first_weight + joints, pieces[j].weight_vertex_count = 1;
+      return;
+    }
+}
+
+// Gives all triangles of the root's second child to its first.
+void empty_a_child(std::vector<TreeNode>& nodes) {
+  nodes[1].triangle_count += nodes[2].triangle_count, nodes[2].first_triangle += nodes[2].triangle_count;
+  nodes[2].triangle_count = nodes[2].vertex_count = 0;
+}
+
+// Numbers out of range at either end, or at neither, in nodes, pieces and displacements.
+std::vector<Fault> faults_of_ranges() {
+  const auto node = [](auto change) { return [=](Character& c) { change(c.tree.nodes); }; };
+  const auto levels = [](int by) {
+    return [=](Character& c) {
+      for (TreeNode& n : c.tree.nodes) n.level += by;
+    };
+  };
+  std::vector<Fault> out{
+      {"is no root", node([](auto& n) { n[0].parent = -2; })},
+      {"is no root", levels(-1)},
+      {"is no root", levels(1)},
+      {"not part of its parent's", node(empty_a_child)},
+      {"not part of its parent's", node([](auto& n) { n[2].triangle_count = -1; })},
+      {"not in [0, 1]", [](Character& c) { c.tree.weight_vertices[0] = -0x1p-24; }},
+      {"not in [0, 1]", [](Character& c) { c.tree.weight_vertices[0] = 1 + 0x1p-24; }},
+      {"not in [0, 1]", leave_simplex},
+      {"one has a weight vertex with a weight that is not in", [](Character& c) { mixed(c).weight_vertices[0] = -1; }},
+      {"weight vertices of another one", [](Character& c) { begin_within_another(c.tree.pieces, c.sets); }},
+      {"weight vertices of another one", [](Character& c) { begin_within_another(of_joint_sets(c).pieces, c.sets); }},
+      {"a joint-set names a joint-set", [](Character& c) { c.tree.pieces[0].joint_set = -1; }},
+      {"a joint-set names weight vertices", [](Character& c) { c.tree.pieces[0].weight_vertex_count = 1 << 30; }},
+      {"a joint-set names weight vertices", [](Character& c) { c.tree.pieces[0].first_weight = 1 << 30; }},
+      {"name a ball out of range", [](Character& c) { mixed(c).pieces[0].reference = -1; }},
+      {"one names a joint-set", [](Character& c) { mixed(c).pieces[0].joint_set = 1 << 30; }},
+      {"vertices out of range", node([](auto& n) { n.back().first_vertex = 1 << 30; })},
+      {"joint index", [](Character& c) { c.mesh.influences[0][0].joint = 2; }},
+      {"vertex index", [](Character& c) { c.mesh.triangles[1][2] = -1; }},
+  };
+  for (const double radius : {-1e-300, 4.1e40, 1e300, HUGE_VAL, std::nan("")}) {
+    out.push_back({"its ball is none", node([=](auto& n) { n[2].reference.radius = radius; })});
+    out.push_back({"have a ball that is none", [=](Character& c) { mixed(c).references.back().radius = radius; }});
+    out.push_back(
+        {"tree: its displacements have a ball", [=](Character& c) { c.tree.displacements.balls[0].ball.radius = radius; }});
+  }
+  for (const double x : {-1.1e40, 1.1e40, -HUGE_VAL})
+    out.push_back({"its ball is none", node([=](auto& n) { n[2].reference.center[1] = x; })});
+  for (const int target : {-1, 2}) {
+    out.push_back({"increasing targets", [=](Character& c) { c.mesh.targets.of_vertex[0][0].target = target; }});
+    out.push_back({"tree: its displacements are not by", [=](Character& c) { c.tree.displacements.balls[0].target = target; }});
+    out.push_back(
+        {"pieces: their displacements are not by", [=](Character& c) { mixed(c).displacements.balls[0].target = target; }});
+  }
+  return out;
 }
 
 std::vector<Fault> faults() {
@@ -157,7 +232,8 @@ void spoiled_files_are_refused(Suite& t) {
     return Checked(true, static_cast<long>(bytes.size()));
   });
   t.example("parts that do not fit each other are refused for what they are, whatever the checksum", {}, [] {
-    const auto all = faults();
+    std::vector<Fault> all = faults();
+    for (const Fault& fault : faults_of_ranges()) all.push_back(fault);
     std::string wrong;
     for (const Fault& fault : all) {
       Character c = small_character();
@@ -166,6 +242,12 @@ void spoiled_files_are_refused(Suite& t) {
         wrong += std::string(fault.words) + ": '" + found + "'; ";
     }
     return Checked(wrong.empty(), static_cast<long>(all.size()), wrong);
+  });
+  t.example("balls at the end of what is accepted are read", {}, [] {
+    Character c = small_character();
+    c.tree.nodes[1].reference = {Point3(-1e40, -1e40, -1e40), 4e40}, c.tree.nodes[2].reference = {Point3(0, 1e40, 0), 0};
+    const std::string refused = refusal(bytes_of(c));
+    return Checked(refused.empty(), 2, refused);
   });
   t.example("what is no baked character, of another version, or not there is refused by name", {}, [] {
     std::string bytes = bytes_of(small_character()), other = bytes;

@@ -647,8 +647,11 @@ Checked check_work() {
   std::size_t at = list.size();
   for (std::size_t i = 0; i < texts.size(); ++i, ++at)
     if (!lines[at].is_rejected_for("no integer of at most 9 digits")) return Checked(false, long(at), lines[at].text);
-  return Checked(lines[at].is_rejected() && lines[at + 1].is_rejected_for("the file has more than 16777216 bytes") &&
-                     lines[at + 2].is_rejected_for("Expecting value"),
+  // Whoever writes a certificate knows of the same length.
+  const char* const too_long = "the file has more than 16777216 bytes";
+  return Checked(lines[at].is_rejected() && lines[at + 1].is_rejected_for(too_long) &&
+                     lines[at + 2].is_rejected_for("Expecting value") && refusal_of_length((1 << 24) + 1) == too_long &&
+                     refusal_of_length(1 << 24).empty() && refusal_of_length(0).empty(),
                  long(lines.size()), lines[at].text + lines[at + 1].text + lines[at + 2].text);
 }
 

@@ -73,7 +73,7 @@ Checked spoiled_bounds_are_refused() {
   good.primitives = {{0, 0, 0, 0}}, good.clusters = {{0, {0, 1}}};
   const BoundedPart bound{{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, 2}, {{0, 3}, {-1, 2}, {-1, 2}, {-2, 1}}};
   good.clips = {{"", 0, {bound}, {bound, bound}}};
-  const float nan = std::nanf("");
+  const float nan = std::nanf(""), infinite = HUGE_VALF;
   const auto part = [](ClusterBounds& b) -> BoundedPart& { return b.clips[0].clusters[0]; };
   const auto fade = [](int first, int second, bool is_bounded) {
     return [=](ClusterBounds& b) {
@@ -87,19 +87,31 @@ Checked spoiled_bounds_are_refused() {
       {[](auto& b) { b.clusters[0].triangles[1] = -1; }, "test: cluster 0: a triangle is out of range"},
       {[](auto& b) { b.clips.clear(); }, "test: clips: the rest pose is missing"},
       {[](auto& b) { b.clips[0].duration = -1; }, "test: clip '': its duration is not a time"},
+      {[](auto& b) { b.clips[0].duration = HUGE_VAL; }, "test: clip '': its duration is not a time"},
+      {[](auto& b) { b.clips[0].duration = std::nan(""); }, "test: clip '': its duration is not a time"},
       {[](auto& b) { b.clips[0].clusters.clear(); }, "test: clip '': it does not have a bound for each cluster"},
       {[=](auto& b) { part(b).box.low[1] = 2; }, "test: clip '', cluster 0: its bound is none"},
+      {[=](auto& b) { part(b).box.low[0] = -infinite; }, "test: clip '', cluster 0: its bound is none"},
+      {[=](auto& b) { part(b).box.high[0] = infinite; }, "test: clip '', cluster 0: its bound is none"},
       {[=](auto& b) { part(b).box.high[2] = nan; }, "test: clip '', cluster 0: its bound is none"},
       {[=](auto& b) { part(b).ball.center[0] = nan; }, "test: clip '', cluster 0: its bound is none"},
+      {[=](auto& b) { part(b).ball.center[1] = infinite; }, "test: clip '', cluster 0: its bound is none"},
       {[=](auto& b) { part(b).ball.radius = -1; }, "test: clip '', cluster 0: its bound is none"},
+      {[=](auto& b) { part(b).ball.radius = infinite; }, "test: clip '', cluster 0: its bound is none"},
+      {[=](auto& b) { part(b).ball.radius = nan; }, "test: clip '', cluster 0: its bound is none"},
       {[=](auto& b) { part(b).slabs[3].low = 2; }, "test: clip '', cluster 0: its bound is none"},
+      {[=](auto& b) { part(b).slabs[1].low = -infinite; }, "test: clip '', cluster 0: its bound is none"},
+      {[=](auto& b) { part(b).slabs[2].high = infinite; }, "test: clip '', cluster 0: its bound is none"},
       {[=](auto& b) { b.clips[0].nodes[1].slabs[0].high = nan; }, "test: clip '', node 1: its bound is none"},
+      {[=](auto& b) { b.clips[0].nodes[1].ball.radius = infinite; }, "test: clip '', node 1: its bound is none"},
       {[](auto& b) { b.clips.push_back(b.clips[0]), b.clips[1].nodes.pop_back(); },
        "test: clip '': it does not have a bound for each node"},
       {[](auto& b) { b.dop = 16, b.clusters.clear(), b.clips[0].clusters.clear(), b.clips[0].nodes.clear(); },
        "test: k-DOPs: there are none of 16 planes"},
       {fade(0, 1, true), "test: crossfades: a clip is out of range"},
+      {fade(1, 0, true), "test: crossfades: a clip is out of range"},
       {fade(-1, 0, true), "test: crossfades: a clip is out of range"},
+      {fade(0, -1, true), "test: crossfades: a clip is out of range"},
       {fade(0, 0, false), "test: crossfade of '' and '': it does not have a bound for each cluster"}};
   std::string wrong = reason_against(bytes_of(good));
   for (const auto& [change, reason] : spoiled) {

@@ -2,11 +2,14 @@
 #include "algorithms/runtime/collide/cluster_pairs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <tuple>
 
 #include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/collide/triangles_meet.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -199,10 +202,101 @@ void pairs_are_those_of_all_triangles(Suite& t) {
           });
 }
 
+// Squares of two triangles each in the plane z = 0, row by row.
+SkinnedMesh flat_grid(int side) {
+  SkinnedMesh m;
+  m.name = "grid";
+  m.joints = {{"root", -1, {0, 0, 0}}};
+  for (int y = 0; y <= side; ++y)
+    for (int x = 0; x <= side; ++x) m.vertices.push_back({double(x), double(y), 0});
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const int a = y * (side + 1) + x, b = a + side + 1;
+      m.triangles.push_back({a, a + 1, b});
+      m.triangles.push_back({a + 1, b + 1, b});
+    }
+  m.influences.assign(m.vertices.size(), {{0, 1.0}});
+  validate(m);
+  return m;
+}
+
+// The pairs of a grid and itself, moved by less than a square each way: only squares that are near each other are looked at.
+std::vector<TrianglePair> pairs_of_grid(const SkinnedMesh& grid, int side, const Point3& by) {
+  std::vector<TrianglePair> out;
+  const auto points = [&](int t, const Point3& moved) {
+    const Triangle& v = grid.triangles[t];
+    return TrianglePoints{grid.vertices[v[0]] + moved, grid.vertices[v[1]] + moved, grid.vertices[v[2]] + moved};
+  };
+  for (int square = 0; square < side * side; ++square)
+    for (int y = std::max(0, square / side - 2); y < std::min(side, square / side + 3); ++y)
+      for (int x = std::max(0, square % side - 2); x < std::min(side, square % side + 3); ++x)
+        for (const int i : {2 * square, 2 * square + 1})
+          for (const int j : {2 * (y * side + x), 2 * (y * side + x) + 1}) {
+            const TrianglePoints a = points(i, Point3::Zero()), b = points(j, by);
+            const Point3 low = a[0].cwiseMin(a[1]).cwiseMin(a[2]), high = a[0].cwiseMax(a[1]).cwiseMax(a[2]);
+            if ((low.array() > b[0].cwiseMax(b[1]).cwiseMax(b[2]).array()).any() ||
+                (high.array() < b[0].cwiseMin(b[1]).cwiseMin(b[2]).array()).any())
+              continue;
+            if (triangles_meet(a, b)) out.push_back({i, j});
+          }
+  return sorted(out);
+}
+
+void more_open_pairs_than_a_batch(Suite& t) {
+  t.example("flat grids in one plane touch where all pairs do, although floats leave many batches of pairs open", {}, [] {
+    const Pose still(1);
+    const RigidTransform<double> here;
+    ClusterPairScratch scratch;
+    std::string wrong;
+    long tried = 0;
+    for (const auto& [side, by, skinning] :
+         {std::tuple(48, Point3(0.5, 0.25, 0), Skinning::spherical), {20, Point3(0, 0, 0), Skinning::linear}}) {
+      const Character c = bake(flat_grid(side));
+      const ClusterTree tree(c, {.most_triangles = most_cluster_triangles});
+      const auto expected = pairs_of_grid(c.mesh, side, by);
+      if (expected.size() <= DoublePairs::most) wrong += "there are few pairs; ";
+      const RigidTransform<double> at{identity_quaternion<double>(), by};
+      SkinnedClusters first(tree, skinning), second(tree, skinning);
+      first.begin(still, here, Point3::Zero()), second.begin(still, at, Point3::Zero());
+      QueryCounts counts;
+      const auto found = pairs_of(first, second, counts, scratch);
+      if (found != expected) wrong += std::to_string(found.size()) + " for " + std::to_string(expected.size()) + " pairs; ";
+      tried += static_cast<long>(expected.size());
+    }
+    return Checked(wrong.empty(), tried, wrong);
+  });
+  t.example("a list of pairs is full at the most that it takes, and decides each of them, list after list", {}, [] {
+    std::mt19937 random(1);
+    const auto corner = [&] { return Point3(double(random() % 4), double(random() % 4), double(random() % 3)); };
+    const auto padded = [](const TrianglePoints& points) {
+      std::array<PaddedVertex, 3> out;
+      for (std::size_t i = 0; i < 3; ++i) out[i] = {{points[i][0], points[i][1], points[i][2], 0}};
+      return out;
+    };
+    DoublePairs pairs;
+    std::vector<TrianglePair> found, expected;
+    long tried = 0;
+    for (const std::size_t count :
+         {std::size_t(0), std::size_t(1), DoublePairs::most, DoublePairs::most - 1, DoublePairs::most}) {
+      for (std::size_t k = 0; k < count; ++k, ++tried) {
+        if (pairs.is_full()) return Checked(false, tried, "full too early");
+        const TrianglePoints a{corner(), corner(), corner()}, b{corner(), corner(), corner()};
+        const TrianglePair pair{static_cast<int>(k), static_cast<int>(count)};
+        pairs.add(padded(a), padded(b), pair);
+        if (triangles_meet(a, b)) expected.push_back(pair);
+      }
+      if (pairs.is_full() != (count == DoublePairs::most)) return Checked(false, tried, "full, or not");
+      pairs.decide(found);
+    }
+    return Checked(found == expected && !found.empty() && static_cast<long>(found.size()) < tried, tried);
+  });
+}
+
 }  // namespace
 
 PROPTEST(cluster_pairs) {
   pairs_are_those_of_all_triangles(t);
+  more_open_pairs_than_a_batch(t);
   t.holds("on every target the filter never contradicts exact arithmetic on vertices within the slack of its floats",
           {.number_type = "rational", .cases = 400, .tags_at_least = {{"decided", 0.2}, {"unknown", 0.1}}}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <random>
+#include <set>
+#include <tuple>
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/bake/over_time/bound_over_time.hpp"
@@ -261,7 +263,34 @@ void what_is_near_half_a_turn(Suite& t) {
   });
 }
 
+// All parts of such a clip are looked at, one by one.
+Checked check_many_jumps() {
+  long tried = 0;
+  for (const int keys : {2, 40, 2500})
+    for (const bool is_second : {false, true}) {
+      Hinge hinge(0, 0);
+      auto& positions = (is_second ? hinge.second : hinge.first).tracks[0].positions;
+      positions = {{}, Interpolation::step, {}};
+      Box<double> seen = Box<double>::empty();
+      seen.merge(Point3(1, 0, 0));  // where the other clip has the vertex
+      for (int k = 0; k < keys; ++k) {
+        positions.keys.push_back({k / static_cast<double>(keys), {2 * std::cos(3 * k), std::sin(5 * k), 0}});
+        seen.merge(Point3(Point3(1, 0, 0) + positions.keys.back().value));
+      }
+      const BoundOverTime bound = hinge.bound(RotationBlend::slerp);
+      for (int d = 0; d < 2; ++d)
+        if (!(bound.slabs[d].low <= seen.low[d] && bound.slabs[d].high >= seen.high[d] &&
+              bound.slabs[d].high - bound.slabs[d].low <= 1.02 * seen.edges()[d] + 0.001))
+          return Checked(false, tried,
+                         std::to_string(keys) + " keys: " + std::to_string(bound.slabs[d].low) + " to " +
+                             std::to_string(bound.slabs[d].high));
+      ++tried;
+    }
+  return Checked(true, tried);
+}
+
 void clips_that_jump(Suite& t) {
+  t.example("a crossfade of a clip of thousands of jumps is bounded as closely as that of one of a few", {}, check_many_jumps);
   t.example("a clip that jumps, one number after another jump, is blended from where it is in between", {}, [] {
     long tried = 0;
     const auto turned = Hinge::turned;
@@ -339,7 +368,65 @@ void hands_half_way_between_clips(Suite& t) {
   });
 }
 
+// The matrices shear, are flat, or mirror along an axis that may be any of three, unless the file says which.
+Checked check_matrices_without_parts() {
+  const Eigen::Quaterniond turn = Hinge::turned(40);
+  Eigen::Matrix3d shear = Eigen::Matrix3d::Identity();
+  shear(0, 1) = 0.5;
+  std::vector<std::pair<Eigen::Matrix3d, std::optional<NodeTransform>>> list{{shear, std::nullopt}};
+  const Eigen::Matrix3d flat = Eigen::Vector3d(1, 0, 1).asDiagonal();
+  list.emplace_back(flat, std::nullopt);
+  for (const Eigen::Vector3d& scale : {Eigen::Vector3d(-1, 1, 1), Eigen::Vector3d(1, -1, 1), Eigen::Vector3d(1, 1, -1),
+                                       Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(2, 3, -0.5)})
+    for (const Eigen::Quaterniond& rotation : {Eigen::Quaterniond::Identity(), turn})
+      list.emplace_back(Eigen::Matrix3d(rotation.toRotationMatrix() * scale.asDiagonal()),
+                        NodeTransform{{0, 0, 0}, scale, rotation});
+  long tried = 0;
+  for (const auto& [linear, parts] : list)
+    for (const bool is_second : {false, true}) {
+      Hinge hinge(60, 0);
+      (is_second ? hinge.second : hinge.first).tracks.clear();
+      SceneNode& node = hinge.model.skeleton.nodes[0];
+      node.local.topLeftCorner<3, 3>() = linear;
+      std::string told = "accepted";
+      try {
+        hinge.joints(RotationBlend::slerp, false);
+      } catch (const ModelError& e) {
+        told = e.what();
+      }
+      const std::string clip = is_second ? "second" : "first";
+      if (told != "hinge: clip '" + clip +
+                      "', joint 'node': does not move in this clip, and its matrix is no rotation and scale to be blended")
+        return Checked(false, tried, told);
+      ++tried;
+      if (!parts) continue;
+      node.rest = parts;
+      hinge.joints(RotationBlend::slerp, false);
+    }
+  return Checked(true, tried);
+}
+
+// Between two such scales the joint is flat, however little each of them differs from a rigid one.
+Checked check_scales_that_change_their_signs() {
+  const auto scale_of = [](int digits) { return Eigen::Vector3d(digits % 3 - 1, digits / 3 % 3 - 1, digits / 9 - 1); };
+  for (int from = 0; from < 27; ++from)
+    for (int to = 0; to < 27; ++to) {
+      Hinge hinge(20, 60);
+      hinge.first.tracks[0].scales.keys[0].value = scale_of(from);
+      hinge.second.tracks[0].scales.keys[0].value = scale_of(to);
+      const CrossfadedJoints joints = hinge.joints(RotationBlend::slerp, true);
+      const double defect = joints.cell(joints.boxes()[0]).defect;
+      const bool is_rigid = (scale_of(from).array() * scale_of(to).array() > 0).all();
+      if (is_rigid ? !(defect < 1e-9) : !std::isinf(defect))
+        return Checked(false, 27 * from + to, std::to_string(from) + " to " + std::to_string(to) + ": " + std::to_string(defect));
+    }
+  return Checked(true, 27 * 27);
+}
+
 void what_each_clip_moves(Suite& t) {
+  t.example(
+      "where a scale vanishes or changes its sign from one clip to the other, the joint may be far from rigid, and else is not",
+      {}, check_scales_that_change_their_signs);
   t.example(
       "at its end a crossfade does not move with the first clip, at its start not with the second, and by weight from one to the "
       "other",
@@ -369,27 +456,20 @@ void what_each_clip_moves(Suite& t) {
           }
         return Checked(true, tried);
       });
-  t.example("a node that one clip does not move is where it rests, and one whose matrix has no parts is refused by name", {}, [] {
+  t.example("a node that one clip does not move is where it rests, by the parts that the file has", {}, [] {
     Hinge hinge(60, 0);
     hinge.second.tracks.clear();
     hinge.model.skeleton.nodes[0].local(0, 3) = 3;  // at rest
     const BoundOverTime bound = hinge.bound(RotationBlend::slerp);
     bool good = bound.slabs[0].high >= 4 && bound.slabs[0].low <= 0.5 && bound.slabs[0].high < 4.1;
-    hinge.model.skeleton.nodes[0].local(0, 1) = 0.5;  // a shear
-    try {
-      hinge.bound(RotationBlend::slerp);
-      good = false;
-    } catch (const ModelError& e) {
-      good = good && std::string(e.what()) ==
-                         "hinge: clip 'second', joint 'node': does not move in this clip, and its matrix is no rotation and "
-                         "scale to be blended";
-    }
-    // Parts that the file has are taken, though others would make the same matrix.
+    // Others would make the same matrix.
     hinge.model.skeleton.nodes[0].rest = NodeTransform{{0, 0, 0}, {-1, -1, 1}, Eigen::Quaterniond(0, 0, 0, 1)};
     hinge.model.skeleton.nodes[0].local = Eigen::Matrix4d::Identity();
     const BoundOverTime by_parts = hinge.bound(RotationBlend::slerp);
-    return Checked(good && by_parts.slabs[0].low < 0.1, 3);
+    return Checked(good && by_parts.slabs[0].low < 0.1, 2);
   });
+  t.example("a node that one clip does not move is refused by name if its matrix does not say by which parts it is to be blended",
+            {}, check_matrices_without_parts);
   t.example("a model without keys is refused by name", {}, [] {
     Hinge hinge(0, 0);
     hinge.model.skeleton.joints.clear();
@@ -461,9 +541,155 @@ void weights_that_fade_and_ranges_without_halves(Suite& t) {
   });
 }
 
+std::vector<ParameterRange> single_parts(const FadingClip& clip) {
+  std::vector<ParameterRange> parts, todo{clip.whole()};
+  while (!todo.empty()) {
+    const ParameterRange range = todo.back();
+    todo.pop_back();
+    if (range.first_part == range.last_part) {
+      parts.push_back(range);
+      continue;
+    }
+    const auto halves = clip.halves(range);
+    todo.push_back(halves[1]), todo.push_back(halves[0]);
+  }
+  return parts;
+}
+
+// What does not move bends nowhere.
+bool covers(const Motion<double>& several, const Motion<double>& one) {
+  return several.size >= one.size && several.speed >= one.speed &&
+         (several.acceleration >= one.acceleration || several.speed == 0);
+}
+
+bool covers(const FadingClip::Motions& several, const FadingClip::Motions& one) {
+  bool good = several.rounding >= one.rounding;
+  for (std::size_t i = 0; i < one.tracks.size(); ++i)
+    good = good && covers(several.tracks[i].translation, one.tracks[i].translation) &&
+           covers(several.tracks[i].rotation, one.tracks[i].rotation) && covers(several.tracks[i].scale, one.tracks[i].scale);
+  for (std::size_t m = 0; m < one.weights.size(); ++m)
+    for (std::size_t k = 0; k < one.weights[m].size(); ++k) good = good && covers(several.weights[m][k], one.weights[m][k]);
+  for (std::size_t n = 0; n < one.stretches.size(); ++n)
+    good = good && several.stretches[n].least <= one.stretches[n].least && several.stretches[n].most >= one.stretches[n].most;
+  return good;
+}
+
+// Nothing goes farther from one moment of a clip to another than its speed allows, but for rounding.
+bool goes_as_far(const FadingClip& clip, const FadingClip::Motions& motions, const ParameterRange& from,
+                 const ParameterRange& to) {
+  const double length = to.end - from.start;
+  const Side side = side_of_end(to.start, to.end);
+  if (!(length > 0)) return true;
+  const auto allows = [&](const Motion<double>& motion, double distance) {
+    return distance <= motion.speed * length * (1 + 1e-9) + 1e-6 * motion.size;
+  };
+  bool good = true;
+  for (std::size_t i = 0; i < clip.tracks().size(); ++i) {
+    const NodeTransform p = transform_at(clip.tracks()[i], from.start, Side::after),
+                        q = transform_at(clip.tracks()[i], to.end, side);
+    const double turned =
+        std::min((p.rotation.coeffs() - q.rotation.coeffs()).norm(), (p.rotation.coeffs() + q.rotation.coeffs()).norm());
+    good = good && allows(motions.tracks[i].translation, (p.translation - q.translation).norm()) &&
+           allows(motions.tracks[i].rotation, turned) &&
+           allows(motions.tracks[i].scale, (p.scale - q.scale).cwiseAbs().maxCoeff());
+  }
+  for (std::size_t m = 0; m < motions.weights.size(); ++m) {
+    const Eigen::VectorXd w = clip.weights(m, from.start, Side::after) - clip.weights(m, to.end, side);
+    for (std::size_t k = 0; k < motions.weights[m].size(); ++k)
+      good = good && allows(motions.weights[m][k], std::abs(w[static_cast<Eigen::Index>(k)]));
+  }
+  return good;
+}
+
+void check_motions_of_several_parts() {
+  const Fade fade = Fade::draw(*rc::gen::inRange(0, 4) == 0);
+  RC_CLASSIFY(gen::is_degenerate(fade.plan), "degenerate");
+  std::mt19937 random(fade.plan.seed + 11);
+  bool has_several = false, is_rounded_more = false;
+  try {
+    const FadingClip clip(fade.model, fade.first, fade.second, gen::all_of(fade.model.joints), fade.skinning != Skinning::linear);
+    const std::vector<ParameterRange> parts = single_parts(clip);
+    for (int i = 0; i < 6; ++i) {
+      std::size_t first = random() % parts.size(), last = random() % parts.size();
+      if (first > last) std::swap(first, last);
+      const auto all = clip.motions(static_cast<int>(first), static_cast<int>(last));
+      const double at_first = clip.motions(static_cast<int>(first), static_cast<int>(first))->rounding;
+      has_several = has_several || first < last;
+      for (int part = static_cast<int>(first); part <= static_cast<int>(last); ++part) {
+        RC_ASSERT(covers(*all, *clip.motions(part, part)));
+        is_rounded_more = is_rounded_more || clip.motions(part, part)->rounding > at_first;
+      }
+      RC_ASSERT(goes_as_far(clip, *all, parts[first], parts[last]));
+    }
+  } catch (const ModelError& e) {
+    RC_ASSERT(is_refusal(e.what()));
+    RC_TAG("refused");
+  }
+  if (has_several) RC_TAG("several parts");
+  if (is_rounded_more) RC_TAG("a later part is rounded more");
+}
+
+// The corners of a cell at which the parameter has this value.
+std::set<ParameterMoment> corners_at(const JointCell& cell, std::size_t parameter, double value) {
+  std::set<ParameterMoment> out;
+  for (const ParameterMoment& corner : cell.corners)
+    if (corner.coordinates[parameter].value == value) out.insert(corner);
+  return out;
+}
+
+void check_cells_of_exchanged_clips_and_of_halves() {
+  const Fade fade = Fade::draw(*rc::gen::inRange(0, 4) == 0);
+  RC_CLASSIFY(gen::is_degenerate(fade.plan), "degenerate");
+  const JointSets sets(fade.model);
+  std::mt19937 random(fade.plan.seed + 12);
+  bool is_halved = false;
+  try {
+    const CrossfadedJoints joints = fade.joints();
+    const CrossfadedJoints exchanged(fade.model, fade.second, fade.first, gen::all_of(fade.model.joints), fade.blend,
+                                     fade.skinning != Skinning::linear);
+    const MovingVertices moving(fade.model, sets, fade.skinning, gen::all_of(fade.model.vertices));
+    for (int i = 0; i < 4; ++i) {
+      const ParameterBox box = some_box(joints, moving, random);
+      const JointCell cell = joints.cell(box);
+      const auto& [a, b, w] = std::tie(box.ranges[0], box.ranges[1], box.ranges[2]);
+      const JointCell other = exchanged.cell({{b, a, {0, 0, 1 - w.end, 1 - w.start}}});
+      RC_ASSERT(cell.rounding == other.rounding && cell.defect == other.defect);
+      for (std::size_t k = 0; k < 3; ++k) {
+        // Behind a key or a sign, a moment is another one.
+        if (k < 2 && (!box.signs.empty() || box.ranges[k].first_part < box.ranges[k].last_part)) continue;
+        const auto halves = joints.halves(box, k, true);
+        if (halves.empty()) continue;
+        is_halved = true;
+        const double middle = halves[1].ranges[k].start;
+        RC_ASSERT(corners_at(joints.cell(halves[0]), k, middle) == corners_at(joints.cell(halves[1]), k, middle));
+      }
+    }
+  } catch (const ModelError& e) {
+    RC_ASSERT(is_refusal(e.what()));
+    RC_TAG("refused");
+  }
+  if (is_halved) RC_TAG("halved");
+}
+
+void what_is_known_of_several_parts_and_of_neighbours(Suite& t) {
+  t.holds(
+      "of several parts of a clip no less is known than of each, and nothing goes farther from one to another, even if it jumps",
+      {.number_type = "double",
+       .cases = 300,
+       .degenerate_at_most = 0.9,
+       .tags_at_least = {{"several parts", 0.5}, {"a later part is rounded more", 0.05}}},
+      check_motions_of_several_parts);
+  t.holds(
+      "a cell is as little rounded and as rigid if both clips are exchanged, and a half of it has its corners in common with the "
+      "other",
+      {.number_type = "double", .cases = 200, .degenerate_at_most = 0.9, .tags_at_least = {{"halved", 0.5}}},
+      check_cells_of_exchanged_clips_and_of_halves);
+}
+
 PROPTEST(crossfaded_joints) {
   crossfades_are_bounded_and_hardly_more(t);
   weights_that_fade_and_ranges_without_halves(t);
+  what_is_known_of_several_parts_and_of_neighbours(t);
   hands_half_way_between_clips(t);
   what_is_near_half_a_turn(t);
   clips_that_jump(t);

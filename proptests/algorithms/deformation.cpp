@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <cmath>
 #include <random>
 
 #include "algorithms/runtime/skinning/skin.hpp"
@@ -172,14 +173,24 @@ PROPTEST(deformation) {
     mesh.targets = {2, std::vector<std::vector<Displacement<double>>>(mesh.vertices.size())};
     AffinePose huge = gen::random_scales(mesh, JointKind::axes, random);
     huge[1].columns[2][0] = 1.1e4;
-    AffinePose undefined = gen::random_scales(mesh, JointKind::axes, random), far = undefined, few = undefined;
-    undefined[0].columns[0][1] = std::nan("");
-    far[0].offset[2] = -1e41;
-    few.pop_back();
+    const AffinePose good = gen::random_scales(mesh, JointKind::axes, random);
+    AffinePose few = good, many = good;
+    few.pop_back(), many.push_back(good[0]);
     const auto says = [&](const Deformation& d, const char* words) { return refusal(mesh, d).find(words) != std::string::npos; };
-    return refusal(mesh, {{1e4, 0}, {}}).empty() && says({{}, huge}, "joint 1") &&
-           says({{}, huge}, "its matrix is out of range") && says({{}, undefined}, "is not finite") &&
-           says({{}, far}, "its translation is out of range") && says({{}, few}, "transforms for 2 joints") &&
+    bool are_numbers_refused = true;
+    for (int i = 0; i < 12; ++i)  // the first nine are those of the matrix
+      for (const double bad : {std::nan(""), -HUGE_VAL, HUGE_VAL, -1.1e40, 1.1e40}) {
+        AffinePose scales = good;
+        (i < 9 ? scales[1].columns[static_cast<std::size_t>(i / 3)][i % 3] : scales[1].offset[i - 9]) = bad;
+        const char* const reason = !std::isfinite(bad) ? "its transform is not finite"
+                                   : i < 9             ? "its matrix is out of range"
+                                                       : "its translation is out of range";
+        are_numbers_refused = are_numbers_refused && says({{}, scales}, reason) && says({{}, scales}, "joint 1");
+      }
+    return are_numbers_refused && refusal(mesh, {{}, good}).empty() && says({{}, many}, "transforms for 2 joints") &&
+           says({{1, 2, 3}, {}}, "has 3 weights for 2 morph targets") && refusal(mesh, {{-1e4, 0}, {}}).empty() &&
+           refusal(mesh, {{1e4, 0}, {}}).empty() && says({{}, huge}, "joint 1") &&
+           says({{}, huge}, "its matrix is out of range") && says({{}, few}, "transforms for 2 joints") &&
            says({{1}, {}}, "has 1 weights for 2 morph targets") &&
            says({{1, std::nan("")}, {}}, "its weight of morph target 1 is not finite") &&
            says({{-INFINITY, 1}, {}}, "its weight of morph target 0 is not finite") &&

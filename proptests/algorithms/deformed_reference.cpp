@@ -3,6 +3,7 @@
 // exactly and as skin() does: none may be outside, not by the last bit.
 #include "algorithms/runtime/refit/deformed_reference.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -188,6 +189,67 @@ void check_ranges() {
   }
 }
 
+// What a reference takes: weights in intervals, and scales.
+struct Begun {
+  std::vector<Slab<double>> ranges;
+  AffinePose scales;
+};
+
+// Another one than the last, or the last but for one number.
+Begun begun_after(const Begun& last, const Deformed& d, std::mt19937& random) {
+  Begun out = last;
+  const auto moved = [&](double& x) { x = x == 0 ? std::ldexp(1, d.plan.exponent) : x / 2; };
+  switch (random() % 6) {
+    case 0:
+      for (Slab<double>& range : out.ranges) range.low -= random() % 2 ? 0.5 : 0;
+      return out;
+    case 1:
+      for (Slab<double>& range : out.ranges) range.high += random() % 2 ? 0.5 : 0;
+      return out;
+    case 2:
+      if (!out.scales.empty()) moved(out.scales[random() % out.scales.size()].offset[static_cast<int>(random() % 3)]);
+      return out;
+    case 3:
+      if (!out.scales.empty()) out.scales[random() % out.scales.size()].columns[random() % 3] *= 0.5;
+      return out;
+    case 4: return out;
+    default: break;
+  }
+  out = {};
+  if (random() % 3)
+    for (const double w : gen::random_weights(d.mesh, random)) out.ranges.push_back({w, random() % 2 ? w : w + 1});
+  if (random() % 3) out.scales = gen::random_scales(d.mesh, d.kind, random);
+  return out;
+}
+
+// One reference for deformations that follow each other, against a new one for each.
+void check_begun_again() {
+  const Deformed d;
+  const Character c = d.baked();
+  std::mt19937 random(d.plan.seed + 2);
+  const SkinningPalette<double> none;
+  for (const Pieces kind : {Pieces::node, Pieces::joint_sets, Pieces::mixed, Pieces::many}) {
+    DeformedReference again(c, kind);
+    Begun begun;
+    for (int frame = 0; frame < 8; ++frame) {
+      begun = begun_after(begun, d, random);
+      const auto is_point = [](const Slab<double>& range) { return range.low == range.high; };
+      const bool are_points = std::all_of(begun.ranges.begin(), begun.ranges.end(), is_point);
+      DeformedReference anew(c, kind);
+      again.begin(begun.ranges, begun.scales), anew.begin(begun.ranges, begun.scales);
+      for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) {
+        const RefitNode<double> node = again.refit_node(n, none), expected = anew.refit_node(n, none);
+        RC_ASSERT(node.reference.center == expected.reference.center && node.reference.radius == expected.reference.radius);
+        for (std::size_t i = 0; i < node.pieces.size(); ++i)
+          RC_ASSERT(node.piece_reference(i).center == expected.piece_reference(i).center &&
+                    node.piece_reference(i).radius == expected.piece_reference(i).radius);
+      }
+      for (int v = 0; v < static_cast<int>(c.mesh.vertices.size()) && are_points; ++v)
+        RC_ASSERT(again.vertex(v) == anew.vertex(v));
+    }
+  }
+}
+
 // The character made anew is skinned as the deformed one, and bounded by every variant.
 void check_deformed_character() {
   const Deformed d;
@@ -274,6 +336,37 @@ void check_collide() {
   RC_ASSERT(found == expected);
 }
 
+// One body for frames of rigid and of affine joints, deformed or not, against a new one for each.
+void check_bodies_begun_again() {
+  const auto plan = *gen::mesh_plan();
+  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  std::mt19937 random(plan.seed);
+  SkinnedMesh mesh = gen::make_mesh(plan);
+  gen::add_targets(mesh, random);
+  const Character c = bake(mesh);
+  const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::dual_quaternion);
+  std::vector<const RefitVariant*> variants;
+  for (const RefitVariant& v : compared_variants())
+    if (bounds(v, skinning)) variants.push_back(&v);
+  const RefitVariant& variant = *variants[random() % variants.size()];
+  Body again(c, variant);
+  for (int frame = 0; frame < 6; ++frame) {
+    const auto joint_kind = static_cast<JointKind>(random() % 4);
+    const AffinePose affine = gen::random_affine_pose(mesh, joint_kind, random);
+    const Pose rigid = gen::random_pose(mesh, random, 0.5);
+    const std::vector<double> weights = random() % 2 ? gen::random_weights(mesh, random) : std::vector<double>();
+    const AffinePose scales = random() % 2 ? gen::random_scales(mesh, joint_kind, random) : AffinePose();
+    const bool is_affine = random() % 2;
+    Body anew(c, variant);
+    for (Body* body : {&again, &anew})
+      if (is_affine) body->begin(affine, weights);
+      else body->begin(rigid, {weights, scales});
+    for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n)
+      RC_ASSERT(again.ball(n).center == anew.ball(n).center && again.ball(n).radius == anew.ball(n).radius);
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) RC_ASSERT(again.triangle(t) == anew.triangle(t));
+  }
+}
+
 void scaled_joints_and_their_certificates(Suite& t) {
   t.holds("a scale of all joints scales the balls by it, up to rounding", {.number_type = "double", .cases = 20}, [] {
     const auto plan = *gen::mesh_plan();
@@ -322,6 +415,50 @@ void scaled_joints_and_their_certificates(Suite& t) {
     };
     return is_certified(Skinning::linear) && !is_certified(Skinning::spherical) && !is_certified(Skinning::dual_quaternion);
   });
+}
+
+void ranges_of_weights_that_are_refused(Suite& t) {
+  t.example("an interval of weights that ends before it begins, is not finite or too long is refused, whichever end it is", {},
+            [] {
+              SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1});
+              mesh.targets = {2, std::vector<std::vector<Displacement<double>>>(mesh.vertices.size())};
+              mesh.targets.of_vertex[0] = {{1, Point3(0.1, 0, 0)}};
+              const Character c = bake(mesh);
+              DeformedReference reference(c, Pieces::mixed);
+              const auto refusal = [&](const std::vector<Slab<double>>& ranges) -> std::string {
+                try {
+                  reference.begin(ranges, {});
+                } catch (const ModelError& e) {
+                  return e.what();
+                }
+                return "";
+              };
+              const double nan = std::nan("");
+              const std::string infinite = "its weight of morph target 1 is not finite", large = "sum to more than 1e4",
+                                reversed = "a range of its weights ends before it begins";
+              const std::pair<Slab<double>, std::string> refused[] = {{{nan, 1}, infinite},
+                                                                      {{0, nan}, infinite},
+                                                                      {{nan, nan}, infinite},
+                                                                      {{0, HUGE_VAL}, infinite},
+                                                                      {{-HUGE_VAL, 0}, infinite},
+                                                                      {{0, -HUGE_VAL}, reversed},
+                                                                      {{HUGE_VAL, 0}, reversed},
+                                                                      {{0.5, 0.25}, reversed},
+                                                                      {{-0.25, -0.5}, reversed},
+                                                                      {{0, 10001}, large},
+                                                                      {{-10001, 0}, large},
+                                                                      {{-10001, 10001}, large},
+                                                                      {{-HUGE_VAL, HUGE_VAL}, infinite}};
+              std::string wrong;
+              for (const auto& [range, reason] : refused)
+                if (const std::string said = refusal({{0, 0}, range}); said.find(reason) == std::string::npos)
+                  wrong += "'" + said + "', not '" + reason + "'; ";
+              for (const Slab<double>& range : {Slab<double>{-1e4, 1e4}, {0, 0}, {-0.5, -0.5}, {-5e-324, 5e-324}})
+                wrong += refusal({{0, 0}, range});
+              if (refusal({{0, 0}}).find("has 1 weights for 2") == std::string::npos) wrong += "one too few; ";
+              if (refusal({{0, 0}, {0, 0}, {0, 0}}).find("has 3 weights for 2") == std::string::npos) wrong += "one too many; ";
+              return Checked(wrong.empty(), static_cast<long>(std::size(refused)) + 6, wrong);
+            });
 }
 
 void what_a_deformation_keeps_and_refuses(Suite& t) {
@@ -392,12 +529,17 @@ PROPTEST(deformed_reference) {
           {.number_type = "double against rational", .cases = 200, .degenerate_at_most = 0.5}, check_references);
   t.holds("bounds for weights in intervals hold for every one of them",
           {.number_type = "double against rational", .cases = 150, .degenerate_at_most = 0.5}, check_ranges);
+  t.holds("a reference that begins one deformation after the other is in each a new one's, to the last bit",
+          {.number_type = "double", .cases = 150, .degenerate_at_most = 0.5}, check_begun_again);
+  t.holds("so is a body in frames of rigid and of affine joints, with a deformation and without",
+          {.number_type = "double", .cases = 100}, check_bodies_begun_again);
   t.holds("a character made anew is skinned to the last bit as the deformed one, and no sound variant misses it",
           {.number_type = "double against rational", .cases = 150, .degenerate_at_most = 0.5}, check_deformed_character);
   scaled_joints_and_their_certificates(t);
   t.holds("deformed bodies touch where all pairs of skinned triangles say so",
           {.number_type = "double", .cases = 150, .tags_at_least = {{"touching", 0.3}}}, check_collide);
   what_a_deformation_keeps_and_refuses(t);
+  ranges_of_weights_that_are_refused(t);
 }
 
 }  // namespace proptests::suite_deformed_reference

@@ -13,6 +13,7 @@
 #include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
@@ -247,19 +248,30 @@ void what_is_counted_and_what_is_refused(Suite& t) {
               RC_ASSERT(frame.refitted_by_level() == expected);
             }
           });
-  t.example("a palette whose arrays were filled by hand is refused until it is measured", {}, [] {
+  t.example("a palette whose arrays were filled by hand is refused until it is measured, each time they are filled", {}, [] {
     const auto snake = bake(make_snake(5));
-    FrameRefits frame(snake, default_variant(Skinning::spherical));
+    const RefitVariant& variant = default_variant(Skinning::spherical);
+    FrameRefits frame(snake, variant);
     SkinningPalette<double> palette;
-    PalettePacks(snake.mesh, snake.sets, Skinning::spherical).make(reference_pose(snake.mesh), palette);
-    try {
+    const PalettePacks packs(snake.mesh, snake.sets, Skinning::spherical);
+    long filled = 0;
+    for (const double far : {0.0, 1e9, 0.0, -1e18}) {
+      Pose pose = reference_pose(snake.mesh);
+      for (auto& joint : pose) joint.translation[1] = far;
+      packs.make(pose, palette);
+      ++filled;
+      if (!gen::refuses<std::invalid_argument>([&] { frame.begin(palette); }) ||
+          !gen::refuses<std::invalid_argument>([&] { refit_all(snake, variant, palette); }))
+        return Checked(false, filled, "not refused");
+      palette.measure();
       frame.begin(palette);
-      return false;
-    } catch (const std::invalid_argument&) {
+      // So far from the origin, balls have more room for rounding.
+      const Ball3<double> expected =
+          refit_all(snake, variant, make_skinning_palette(snake.mesh, snake.sets, pose, variant.skinning))[0];
+      if (frame[0].center != expected.center || frame[0].radius != expected.radius || !(expected.radius > 1e-16 * std::abs(far)))
+        return Checked(false, filled, "another ball");
     }
-    palette.measure();
-    frame.begin(palette);
-    return frame[0].radius > 0;
+    return Checked(true, filled);
   });
 }
 

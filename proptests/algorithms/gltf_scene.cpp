@@ -6,6 +6,9 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <map>
+#include <set>
+#include <tuple>
 
 #include "algorithms/model/model_of_scene.hpp"
 #include "proptests/gen/rich_gltf.hpp"
@@ -52,14 +55,15 @@ void make_sparse(json& g, const std::vector<std::uint16_t>& indices, std::size_t
                                                  {"values", {{"bufferView", value_view}}}};
 }
 
-// A cubic spline in place of the rotations of the joint 1, each of whose two keys has these in-tangent, value and out-tangent.
-void make_spline(json& g, const std::vector<float>& rows) {
+// A cubic spline in place of what a sampler has, each of whose two keys has these in-tangent, value and out-tangent. The
+// sampler 1 has the rotations of the joint 1, and the sampler 3 the translations of the joint 0.
+void make_spline(json& g, const std::vector<float>& rows, int index = 1, const char* type = "VEC4") {
   std::vector<float> numbers = rows;
   numbers.insert(numbers.end(), rows.begin(), rows.end());
-  const std::size_t view = add_bytes(g, numbers);
-  g["accessors"].push_back({{"bufferView", view}, {"componentType", 5126}, {"count", 6}, {"type", "VEC4"}});
-  sampler(g, 1)["output"] = g["accessors"].size() - 1;
-  sampler(g, 1)["interpolation"] = "CUBICSPLINE";
+  const std::size_t view = add_bytes(g, numbers), width = type == std::string("VEC4") ? 4 : type == std::string("VEC3") ? 3 : 1;
+  g["accessors"].push_back({{"bufferView", view}, {"componentType", 5126}, {"count", numbers.size() / width}, {"type", type}});
+  sampler(g, index)["output"] = g["accessors"].size() - 1;
+  sampler(g, index)["interpolation"] = "CUBICSPLINE";
 }
 
 // A morph target of the mesh, of which the vertex 2 goes to this place in x.
@@ -82,9 +86,40 @@ void move_weight(json& g, float from, float to) {
   animation["samplers"].push_back({{"input", g["accessors"].size() - 2}, {"output", g["accessors"].size() - 1}});
 }
 
+// The same along a spline, by a value and two tangents that are those of both keys. The weight's sampler is 4.
+void move_weight_along_spline(json& g, float into, float value, float out) {
+  move_weight(g, value, value), make_spline(g, {into, value, out}, 4, "SCALAR");
+}
+
+// Other numbers for an attribute of the mesh, four for each of so many vertices: all of them are zeros, joints and weights alike.
+template <class T>
+void replace_attribute(json& g, const char* name, std::size_t vertices) {
+  const int component = attribute_accessor(g, name)["componentType"];
+  const std::size_t view = add_bytes(g, std::vector<T>(4 * vertices));
+  g["accessors"].push_back({{"bufferView", view}, {"componentType", component}, {"count", vertices}, {"type", "VEC4"}});
+  primitive(g)["attributes"][name] = g["accessors"].size() - 1;
+}
+
+// The last of the mesh's indices becomes this one.
+void set_last_index(json& g, std::uint32_t index) {
+  std::vector<std::uint32_t> indices(144);
+  indices.back() = index;
+  const std::size_t view = add_bytes(g, indices);
+  g["accessors"].push_back({{"bufferView", view}, {"componentType", 5125}, {"count", 144}, {"type", "SCALAR"}});
+  primitive(g)["indices"] = g["accessors"].size() - 1;
+}
+
+// Three more nodes, of which the last is below the one before. They show the mesh without a skin and with another one.
+void add_nodes_of_no_scene(json& g) {
+  g["skins"].push_back({{"joints", {2, 1, 0}}});
+  g["nodes"].push_back({{"mesh", 0}, {"translation", {1, 2, 3}}});
+  g["nodes"].push_back({{"mesh", 0}, {"skin", 1}, {"children", {6}}});
+  g["nodes"].push_back({{"mesh", 0}, {"skin", 0}});
+}
+
 struct Change {
   std::function<void(json&)> change;
-  const char* reason;
+  std::string reason;
 };
 
 // Changes of the description of bending_tube(3): nodes j0 to j2 and "skin", one mesh, one skin, one clip "bend".
@@ -125,6 +160,12 @@ std::vector<Change> refused_descriptions() {
          attributes["JOINTS_2"] = attributes["JOINTS_0"], attributes["WEIGHTS_2"] = attributes["WEIGHTS_0"];
        },
        "mesh 0: JOINTS_2, but no set 1 of joints and weights"},
+      {[](json& g) { primitive(g)["attributes"]["JOINTS_2"] = primitive(g)["attributes"]["JOINTS_0"]; },
+       "mesh 0: JOINTS_2, but no set 1 of joints and weights"},
+      {[](json& g) { primitive(g)["attributes"]["WEIGHTS_2"] = primitive(g)["attributes"]["WEIGHTS_0"]; },
+       "mesh 0: WEIGHTS_2, but no set 1 of joints and weights"},
+      {[](json& g) { primitive(g)["attributes"]["WEIGHTS_10"] = primitive(g)["attributes"]["WEIGHTS_0"]; },
+       "mesh 0: WEIGHTS_10, but no set 1 of joints and weights"},
       {[](json& g) { g["buffers"][0]["byteLength"] = 0; }, "buffer 0: has no bytes"},
       {[](json& g) {
          g["accessors"][0]["sparse"] = {{"count", 1}, {"indices", json::object()}};
@@ -246,11 +287,23 @@ std::vector<Change> refused_meshes() {
        "mesh 0: its triangles have 143 indices in all"},
       {[](json& g) { primitive(g)["mode"] = 7; }, "mesh 0: is of mode 7, which glTF has not"},
       {[](json& g) { primitive(g)["attributes"].erase("WEIGHTS_0"); }, "mesh 0: joints and weights of set 0 do not go together"},
+      {[](json& g) { set_last_index(g, 28); }, "mesh 0: index 143 names a vertex out of range"},
+      {[](json& g) { set_last_index(g, 0x7fffffff); }, "mesh 0: index 143 names a vertex out of range"},
+      {[](json& g) { set_last_index(g, 0x80000000); }, "mesh 0: index 143 names a vertex out of range"},
+      {[](json& g) { set_last_index(g, 0xffffffff); }, "mesh 0: index 143 names a vertex out of range"},
       {[](json& g) { attribute_accessor(g, "JOINTS_0")["count"] = 27; },
+       "mesh 0: joints and weights of set 0 do not fit the vertices"},
+      {[](json& g) { attribute_accessor(g, "WEIGHTS_0")["count"] = 27; },
+       "mesh 0: joints and weights of set 0 do not fit the vertices"},
+      {[](json& g) { replace_attribute<std::uint16_t>(g, "JOINTS_0", 29); },
+       "mesh 0: joints and weights of set 0 do not fit the vertices"},
+      {[](json& g) { replace_attribute<float>(g, "WEIGHTS_0", 29); },
        "mesh 0: joints and weights of set 0 do not fit the vertices"},
       {[](json& g) { primitive(g)["attributes"].erase("WEIGHTS_0"), primitive(g)["attributes"].erase("JOINTS_0"); },
        "mesh 0: is shown with a skin, but has no joints and weights"},
       {[](json& g) { add_target(g, 1, 27); }, "mesh 0, morph target 0: does not fit the vertices"},
+      {[](json& g) { add_target(g, 1, 29); }, "mesh 0, morph target 0: does not fit the vertices"},
+      {[](json& g) { add_target(g, 1), add_target(g, 1, 56); }, "mesh 0, morph target 1: does not fit the vertices"},
       {[](json& g) { add_target(g, NAN); }, "mesh 0, morph target 0: the displacement of vertex 2 is not finite"},
       {[](json& g) { g["meshes"][0]["primitives"].push_back(primitive(g)), add_target(g, 1); },
        "mesh 0, primitive 1: has another number of morph targets than the mesh's first primitive"},
@@ -258,13 +311,44 @@ std::vector<Change> refused_meshes() {
          add_target(g, 1), g["meshes"][0]["weights"] = {0, 1};
        },
        "node 3 'skin': has 2 weights for 1 morph targets"},
-      {[](json& g) { add_target(g, 1), move_weight(g, 0, 1); },
-       "clip 'bend', node 'skin': moves the weights of morph targets, which this program does not bound"},
       {[](json& g) { g["skins"][0]["joints"] = json::array(); }, "skin 0: has no joints"},
       {[](json& g) { g["skins"][0]["joints"][1] = 99; }, "skin 0: has a joint that there is not"},
       {[](json& g) { g["nodes"][3]["mesh"] = 1; }, "node 3 'skin': shows a mesh that there is not"},
       {[](json& g) { g["nodes"][3]["skin"] = 1; }, "node 3 'skin': has a skin that there is not"},
   };
+}
+// The weight of the one target is 0 where no clip moves it.
+std::vector<Change> refused_moving_weights() {
+  std::vector<Change> out;
+  const auto refused = [&](const auto& move) {
+    out.push_back({[move](json& g) { add_target(g, 1), move(g); },
+                   "clip 'bend', node 'skin': moves the weights of morph targets, which this program does not bound"});
+  };
+  for (const auto& [from, to] : {std::pair{0.0f, 1.0f}, {1.0f, 0.0f}, {1.0f, 1.0f}, {0.0f, -1e-30f}})
+    refused([from = from, to = to](json& g) { move_weight(g, from, to); });
+  for (const auto& [into, value, out_of] : {std::tuple{0.0f, 1.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}})
+    refused([into = into, value = value, out_of = out_of](json& g) { move_weight_along_spline(g, into, value, out_of); });
+  return out;
+}
+// Each number of the in-tangent and of the out-tangent of rotations, of translations and of a weight.
+std::vector<Change> refused_tangents() {
+  std::vector<Change> out;
+  for (const float wrong : {INFINITY, -INFINITY, NAN})
+    for (const std::size_t width : {4u, 3u, 1u})
+      for (const std::size_t row : {0u, 2u})
+        for (std::size_t column = 0; column < width; ++column) {
+          std::vector<float> rows(3 * width);
+          if (width == 4) rows[7] = 1;
+          rows[row * width + column] = wrong;
+          const auto change = [rows, width](json& g) {
+            if (width == 1) add_target(g, 1), move_weight(g, 0, 0);
+            const int index = width == 4 ? 1 : width == 3 ? 3 : 4;
+            make_spline(g, rows, index, width == 4 ? "VEC4" : width == 3 ? "VEC3" : "SCALAR");
+          };
+          const std::string joint = width == 4 ? "j1" : width == 3 ? "j0" : "skin";
+          out.push_back({change, "clip 'bend', joint '" + joint + "', key 0 at 0.000000 s: a tangent is not finite"});
+        }
+  return out;
 }
 std::vector<Change> refused_clips() {
   return {
@@ -279,15 +363,12 @@ std::vector<Change> refused_clips() {
          make_spline(g, {0, 0, 0, 0, 0, 0, 0, 1.02f, 0, 0, 0, 0});
        },
        "clip 'bend', joint 'j1', key 0 at 0.000000 s: a spline's rotation by a quaternion that is not of unit length"},
-      {[](json& g) {
-         make_spline(g, {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, INFINITY, 0});
-       },
-       "clip 'bend', joint 'j1', key 0 at 0.000000 s: a tangent is not finite"},
   };
 }
 std::vector<Change> refused_changes() {
   std::vector<Change> all;
-  for (const auto& part : {refused_descriptions(), refused_accessors(), refused_nodes(), refused_meshes(), refused_clips()})
+  for (const auto& part : {refused_descriptions(), refused_accessors(), refused_nodes(), refused_meshes(),
+                           refused_moving_weights(), refused_tangents(), refused_clips()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
@@ -377,6 +458,17 @@ std::vector<std::pair<const char*, std::function<void(json&)>>> accepted_changes
       {"no default scene", [](json& g) { g.erase("scene"); }},
       {"no scene", [](json& g) { g.erase("scene"), g.erase("scenes"); }},
       {"joints that are not in the scene", [](json& g) { g["scenes"][0]["nodes"] = {3}; }},
+      {"nodes with the mesh that no scene has", add_nodes_of_no_scene},
+      {"nodes with the mesh that another scene has than the default one",
+       [](json& g) {
+         add_nodes_of_no_scene(g);
+         g["scenes"] = {{{"nodes", {5, 4}}}, {{"nodes", {0, 3}}}}, g["scene"] = 1;
+       }},
+      {"nodes with the mesh that another scene has than the first one, where none is the default",
+       [](json& g) {
+         add_nodes_of_no_scene(g);
+         g["scenes"].push_back({{"nodes", {4, 5}}}), g.erase("scene");
+       }},
       {"extensions of looks",
        [](json& g) {
          g["extensionsRequired"] = {"KHR_texture_transform", "KHR_materials_unlit"};
@@ -458,23 +550,6 @@ void files_of_all_features(Suite& t) {
     const Model rigid = model_of_scene(scene), affine = model_of_scene(scene, {Joints::affine});
     return Checked(rigid.vertices == affine.vertices && rigid.rigidity_defect == affine.rigidity_defect);
   });
-  t.example("a model says what of its file is left out or changed, and nothing of a file that is as it should be", {}, [] {
-    const auto with_sum = [](float sum) {
-      gen::RiggedGltf rig = gen::bending_tube(3);
-      rig.meshes[0].joints[0][7] = {0, 2, 0, 0}, rig.meshes[0].weights[0][7] = {sum - 0.5f, 0.5f, 0, 0};
-      return json::parse(gen::built(rig).text_file());
-    };
-    json lines = with_sum(1.0009f);
-    lines["meshes"][0]["primitives"].push_back(primitive(lines));
-    lines["meshes"][0]["primitives"][1]["mode"] = 1;
-    std::string found;
-    for (const json& g : {with_sum(1), with_sum(0.9375f), lines})
-      for (const std::string& note : model_of_scene(gltf_scene(g.dump(), "file.gltf")).notes) found += note + "\n";
-    return Checked(found ==
-                       "mesh 0: the weights of 1 vertices do not sum to 1 but are off by up to 0.062500; they are divided "
-                       "by their sums\nmesh 0, primitive 1: has no triangles, and is left out\n",
-                   3, found);
-  });
   t.example("a mesh that two nodes show with the same skin is there once, and twice where its weights move with one of them", {},
             [] {
               const auto count = [](bool moving) {
@@ -484,6 +559,90 @@ void files_of_all_features(Suite& t) {
               };
               return Checked(count(false) == 18 && count(true) == 32, 2,
                              std::to_string(count(false)) + ", " + std::to_string(count(true)));
+            });
+}
+
+// A mesh of so many tubes, each a primitive. The weights of its vertices from the seventh on have these sums.
+json tubes_of_sums(const std::vector<std::vector<float>>& sums) {
+  gen::RiggedGltf rig = gen::bending_tube(3);
+  rig.meshes.resize(sums.size(), rig.meshes[0]);
+  for (std::size_t p = 0; p < sums.size(); ++p)
+    for (std::size_t i = 0; i < sums[p].size(); ++i)
+      rig.meshes[p].joints[0][7 + i] = {0, 2, 0, 0}, rig.meshes[p].weights[0][7 + i] = {sums[p][i] - 0.5f, 0.5f, 0, 0};
+  json out = json::parse(gen::built(rig).text_file());
+  for (std::size_t p = 1; p < sums.size(); ++p) out["meshes"][0]["primitives"].push_back(out["meshes"][p]["primitives"][0]);
+  out["meshes"] = json::array({out["meshes"][0]});
+  return out;
+}
+
+void notes_of_models(Suite& t) {
+  const auto notes_of = [](const json& g) {
+    std::string out;
+    for (const std::string& note : model_of_scene(gltf_scene(g.dump(), "file.gltf")).notes) out += note + "\n";
+    return out;
+  };
+  t.example("a model says what of its file is left out or changed, and nothing of a file that is as it should be", {}, [&] {
+    json lines = tubes_of_sums({{1.0009f}});
+    lines["meshes"][0]["primitives"].push_back(primitive(lines));
+    lines["meshes"][0]["primitives"][1]["mode"] = 1;
+    std::string found;
+    for (const json& g : {tubes_of_sums({{1}}), tubes_of_sums({{0.9375f}}), lines}) found += notes_of(g);
+    return Checked(found ==
+                       "mesh 0: the weights of 1 vertices do not sum to 1 but are off by up to 0.062500; they are divided "
+                       "by their sums\nmesh 0, primitive 1: has no triangles, and is left out\n",
+                   3, found);
+  });
+  t.example("what a model says of a primitive's weights is of that primitive, whatever others are before it and behind it", {},
+            [&] {
+              const std::vector<std::vector<float>> kinds = {{1}, {0.9375f}, {1.03125f, 1.015625f, 0.96875f}};
+              const std::string said[] = {"", "1 vertices do not sum to 1 but are off by up to 0.062500",
+                                          "3 vertices do not sum to 1 but are off by up to 0.031250"};
+              std::string wrong;
+              for (std::size_t all = 0; all < 27; ++all) {
+                const std::size_t of[] = {all % 3, all / 3 % 3, all / 9};
+                std::string expected;
+                for (int p = 0; p < 3; ++p)
+                  if (!said[of[p]].empty())
+                    expected += "mesh 0, primitive " + std::to_string(p) + ": the weights of " + said[of[p]] +
+                                "; they are divided by their sums\n";
+                const std::string found = notes_of(tubes_of_sums({kinds[of[0]], kinds[of[1]], kinds[of[2]]}));
+                if (found != expected) wrong += "'" + found + "', not '" + expected + "'; ";
+              }
+              return Checked(wrong.empty(), 27, wrong);
+            });
+}
+
+void nodes_that_show_one_mesh(Suite& t, const json& tube) {
+  t.example("a mesh that three nodes show with the same skin is there once for each list of weights, and where these move it", {},
+            [&] {
+              json three = tube;
+              add_target(three, 1);
+              three["meshes"][0]["weights"] = {0.5};
+              for (int copy = 0; copy < 2; ++copy) {
+                three["scenes"][0]["nodes"].push_back(three["nodes"].size());
+                three["nodes"].push_back(three["nodes"][3]);
+              }
+              const Model plain = model_of_scene(gltf_scene(tube.dump(), "file.gltf"));
+              const double x = plain.vertices[plain.sources[0].vertices[2]][0];
+              std::string wrong;
+              for (int all = 0; all < 64; ++all) {
+                json g = three;
+                std::map<int, double> weights;  // by node
+                std::set<double> distinct;
+                for (const auto& [node, choice] : {std::pair{3, all % 4}, {4, all / 4 % 4}, {5, all / 16}}) {
+                  if (choice > 0) g["nodes"][node]["weights"] = {0.5 * choice - 0.5};
+                  weights[node] = choice > 0 ? 0.5 * choice - 0.5 : 0.5;
+                  distinct.insert(weights[node]);
+                }
+                const Scene scene = gltf_scene(g.dump(), "file.gltf");
+                const Model still = model_of_scene(scene), moving = model_of_scene(scene, {Joints::rigid, Morphs::moving});
+                bool good = still.sources.size() == 3 && moving.sources.size() == 3 && moving.morphs.size() == distinct.size();
+                for (const Model* model : {&still, &moving}) good = good && model->triangles.size() == 48 * distinct.size();
+                for (const SourcePrimitive& source : still.sources)
+                  good = good && still.vertices[source.vertices[2]][0] == x + weights[source.node];
+                if (!good) wrong += std::to_string(all) + "; ";
+              }
+              return Checked(wrong.empty(), 64, wrong);
             });
 }
 
@@ -509,7 +668,7 @@ void refused_and_unusual_descriptions(Suite& t, const json& tube) {
     for (const Change& change : refused_changes()) {
       json changed = tube;
       change.change(changed);
-      const std::string message = refusal(changed.dump()), expected = std::string("file.gltf: ") + change.reason;
+      const std::string message = refusal(changed.dump()), expected = "file.gltf: " + change.reason;
       if (!(expected.ends_with(": ") ? message.starts_with(expected) : message == expected))
         wrong += "'" + message + "', not '" + expected + "'; ";
     }
@@ -526,9 +685,9 @@ void refused_and_unusual_descriptions(Suite& t, const json& tube) {
                   other = model_of_scene(gltf_scene(g.dump(), "file.gltf"));
       return (other.vertices[other.sources[0].vertices[2]] - plain.vertices[plain.sources[0].vertices[2]])[0];
     };
-    json still = own;
-    move_weight(still, 0.25, 0.25);
-    return Checked(moved(both) == 0.5 && moved(own) == 0.25 && moved(still) == 0.25, 3);
+    json still = own, still_spline = own;
+    move_weight(still, 0.25, 0.25), move_weight_along_spline(still_spline, 0, 0.25, 0);
+    return Checked(moved(both) == 0.5 && moved(own) == 0.25 && moved(still) == 0.25 && moved(still_spline) == 0.25, 4);
   });
   t.example("what is unusual and right is read", {}, [&] {
     std::string wrong;
@@ -537,7 +696,8 @@ void refused_and_unusual_descriptions(Suite& t, const json& tube) {
       change(changed);
       try {
         const Model model = model_of_scene(gltf_scene(changed.dump(), "file.gltf"), {Joints::affine});
-        if (model.triangles.size() != 48 || model.clips.size() != 1) wrong += std::string(name) + ": it is another model; ";
+        if (model.triangles.size() != 48 || model.clips.size() != 1 || model.sources.size() != 1 || model.sources[0].node != 3)
+          wrong += std::string(name) + ": it is another model; ";
       } catch (const ModelError& e) {
         wrong += std::string(name) + ": " + e.what() + "; ";
       }
@@ -650,6 +810,8 @@ PROPTEST(gltf_scene) {
   files_of_all_features(t);
   accessors_of_any_place(t);
   const json tube = json::parse(gen::built(gen::bending_tube(3)).text_file());
+  notes_of_models(t);
+  nodes_that_show_one_mesh(t, tube);
   refused_and_unusual_descriptions(t, tube);
   buffers_and_primitives_without_positions(t, tube);
   skins_and_what_is_no_json(t, tube);

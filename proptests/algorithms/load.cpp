@@ -339,11 +339,12 @@ void how_rigid_a_clip_has_to_be(Suite& t) {
                             complaint([](RiggedGltf& s) { s.skins[0].inverse_bind.push_back(s.skins[0].inverse_bind[0]); });
         for (const auto& [a, b] : {std::pair{0.5f, 0.3999f}, {0.5f, 0.6001f}})
           if (complaint(weights(a, b)).empty()) wrong += "weights of " + std::to_string(a + b) + " load; ";
-        if (complaint([](RiggedGltf& s) {
-              s.meshes[0].indices[5] = static_cast<std::uint32_t>(s.meshes[0].positions.size());
-            }).find("index 5 names a vertex out of range") == std::string::npos)
-          wrong += "an index equal to the count loads; ";
-        return Checked(wrong.empty(), 13, wrong);
+        // The count is the first index that is out of range. The last two are negative as signed integers.
+        for (const std::uint32_t index : {28u, 29u, 0x7fffffffu, 0x80000000u, 0xffffffffu})
+          if (complaint([=](RiggedGltf& s) { s.meshes[0].indices[5] = index; }).find("index 5 names a vertex out of range") ==
+              std::string::npos)
+            wrong += "the index " + std::to_string(index) + " of 28 vertices loads; ";
+        return Checked(wrong.empty(), 17, wrong);
       });
 }
 

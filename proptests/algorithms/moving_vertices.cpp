@@ -65,7 +65,48 @@ Model turning(double angle, int turned_joints = 1) {
   return model;
 }
 
+int depth_of(const Model& model, int joint) {
+  int depth = 0;
+  for (int n = model.skeleton.joints[joint].node; n >= 0; n = model.skeleton.nodes[n].parent) ++depth;
+  return depth;
+}
+
+// A vertex of several joints, and the same vertex with one of these alone.
+void check_errors_by_joints() {
+  const auto plan = gen::draw_animated_plan(false);
+  RC_LOG() << plan;
+  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  const Model model = gen::animated_model(plan);
+  const Animation& animation = model.clips[0].animation;
+  bool ends_above = false;  // the last joint is not the deepest one
+  try {
+    const AnimatedJoints joints(model, animation, false);
+    const JointSets sets(model);
+    const JointCell cell = joints.cell(joints.boxes()[plan.seed % joints.boxes().size()]);
+    for (const int v : gen::all_of(model.vertices)) {
+      const double error = MovingVertices(model, sets, Skinning::linear, {v}).placing_error(cell);
+      const auto& influences = model.influences[static_cast<std::size_t>(v)];
+      for (const Influence& influence : influences) {
+        Model alone = model;
+        alone.influences[static_cast<std::size_t>(v)] = {{influence.joint, 1}};
+        const JointSets own(alone);
+        RC_ASSERT(MovingVertices(alone, own, Skinning::linear, {v}).placing_error(cell) <= error);
+        ends_above = ends_above || depth_of(model, influence.joint) > depth_of(model, influences.back().joint);
+      }
+    }
+  } catch (const ModelError&) {
+    RC_TAG("refused");
+  }
+  if (ends_above) RC_TAG("the last joint is not the deepest");
+}
+
 void errors_of_rounding(Suite& t) {
+  t.holds("the error of a vertex is no less than what each of its joints alone makes of it",
+          {.number_type = "double",
+           .cases = 200,
+           .degenerate_at_most = 0.9,
+           .tags_at_least = {{"the last joint is not the deepest", 0.2}}},
+          check_errors_by_joints);
   t.holds(
       "placed vertices are off by no more than the error, even if most of what they are summed up from cancels",
       {.number_type = "multiprecision interval",

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "experiments/procedural/procedural.hpp"
+#include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/wide_models.hpp"
@@ -19,9 +20,9 @@ bool equal_lists(std::span<const Vec<double, D>> a, std::span<const Vec<double, 
   return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
-// Every number, but for the sign of a zero.
+// Every number of rigid joints, but for the sign of a zero. There are none of affine joints.
 bool are_equal(const SkinningPalette<double>& a, const SkinningPalette<double>& b) {
-  if (a.size() != b.size()) return false;
+  if (a.size() != b.size() || a.is_affine() || b.is_affine()) return false;
   for (std::size_t s = 0; s < a.size(); ++s) {
     const PaletteEntry<double> p = a[s], q = b[s];
     if (p.rotation_center != q.rotation_center || p.transforms.size() != q.transforms.size()) return false;
@@ -29,18 +30,47 @@ bool are_equal(const SkinningPalette<double>& a, const SkinningPalette<double>& 
       if (p.transforms[i].rotation != q.transforms[i].rotation || p.transforms[i].translation != q.transforms[i].translation)
         return false;
     if (!equal_lists(p.center_images, q.center_images) || !equal_lists(p.duals, q.duals)) return false;
+    if (!p.maps.empty() || !p.stretches.empty() || !q.maps.empty() || !q.stretches.empty()) return false;
   }
   return true;
 }
 
 constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
+// A palette that holds nothing yet, joints of another mesh, or affine ones of this mesh, measured all of them.
+SkinningPalette<double> used_palette(const SkinnedMesh& mesh, const JointSets& sets, std::mt19937& random) {
+  switch (random() % 3) {
+    case 0: return {};
+    case 1: {
+      const SkinnedMesh other = gen::make_mesh({gen::MeshKind::tube, 5, 5, 4, static_cast<unsigned>(random())});
+      return make_skinning_palette(other, JointSets(other), gen::random_pose(other, random, 1), Skinning::spherical);
+    }
+    default: return make_skinning_palette(mesh, sets, gen::random_affine_pose(mesh, gen::JointKind::shear, random));
+  }
+}
+
+bool same(const PaletteRounding<double>& a, const PaletteRounding<double>& b) {
+  return a.vertex.per_length == b.vertex.per_length && a.vertex.per_radius == b.vertex.per_radius &&
+         a.vertex.offset == b.vertex.offset && a.weight_vertices.per_length == b.weight_vertices.per_length &&
+         a.weight_vertices.per_radius == b.weight_vertices.per_radius && a.weight_vertices.offset == b.weight_vertices.offset;
+}
+
+// That the palette is to be measured, and then has the roundings of one that make_skinning_palette fills.
+bool is_measured_anew(SkinningPalette<double>& palette, const SkinningPalette<double>& expected) {
+  if (palette.is_measured()) return false;
+  palette.measure();
+  for (std::size_t s = 0; s < palette.size(); ++s)
+    for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion})
+      if (!same(palette.rounding(s, skinning), expected.rounding(s, skinning))) return false;
+  return palette.is_measured();
+}
+
 }  // namespace
 
 PROPTEST(palette_packs) {
   t.holds(
       "the numbers are those of make_skinning_palette, in every skinning and for every target, one pose after the "
-      "other",
+      "other, whatever the palette held before, and so are the roundings once they are measured",
       {.number_type = "double", .cases = 300, .degenerate_at_least = 0.3}, [] {
         const auto plan = *gen::mesh_plan();
         const SkinnedMesh model = gen::make_mesh(plan);
@@ -50,11 +80,13 @@ PROPTEST(palette_packs) {
         RC_CLASSIFY(spread < 0.1 || gen::is_degenerate(plan), "degenerate");
         for (const Skinning skinning : all_skinnings) {
           const PalettePacks packs(model, sets, skinning);
-          SkinningPalette<double> palette;
+          SkinningPalette<double> palette = used_palette(model, sets, random);
           for (const Target target : available_targets()) {
             const Pose pose = gen::random_pose(model, random, spread);
             packs.make(pose, palette, target);
-            RC_ASSERT(are_equal(palette, make_skinning_palette(model, sets, pose, skinning)));
+            const auto expected = make_skinning_palette(model, sets, pose, skinning);
+            RC_ASSERT(are_equal(palette, expected));
+            RC_ASSERT(is_measured_anew(palette, expected));
           }
         }
       });

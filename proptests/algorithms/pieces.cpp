@@ -145,8 +145,9 @@ struct Vertex {
   Point3 at;
   std::vector<Influence> influences;
 };
-Rig rig_of(const std::vector<Vertex>& vertices, int joints) {
+Rig rig_of(const std::vector<Vertex>& vertices, int joints, MorphTargets targets = {}) {
   SkinnedMesh m;
+  m.targets = std::move(targets);
   m.name = "vertices";
   for (int j = 0; j < joints; ++j) m.joints.push_back({"joint", -1, {0, 0, 0}});
   for (const Vertex& v : vertices) {
@@ -335,7 +336,40 @@ void what_is_split_and_how(Suite& t) {
   });
 }
 
+// Vertices of one joint. A target moves all of them alike, half of them one way and half the other way, or one alone.
+void check_displaced_vertices() {
+  const auto pick = [](int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); };
+  const int count = pick(2, 20);
+  std::vector<Vertex> vertices;
+  MorphTargets targets{pick(1, 9), {}};
+  for (int v = 0; v < count; ++v) vertices.push_back({{pick(-100, 101) / 100., pick(-100, 101) / 100., 1. * v}, rigid});
+  targets.of_vertex.resize(vertices.size());
+  double apart = 0;  // the radii of all targets' displacements
+  for (int target = 0; target < targets.count; ++target) {
+    const int kind = pick(0, 3);
+    const double far = pick(1, 100) / 1000.;
+    const Point3 by = far * std::array{Point3(1, 0, 0), Point3(0, -0.6, 0.8)}[static_cast<std::size_t>(pick(0, 2))];
+    for (int v = 0; v < (kind == 2 ? 1 : count); ++v)
+      targets.of_vertex[static_cast<std::size_t>(v)].push_back({target, kind == 0   ? by
+                                                                        : kind == 1 ? Point3(v % 2 == 0 ? by : -by)
+                                                                                    : Point3(2 * by)});
+    if (kind > 0) apart += far;
+  }
+  const Rig rig = rig_of(vertices, 3, targets);
+  const double radius = rig.tree.refit_node(0, rig.palette).reference.radius;
+  PieceOptions options;
+  options.least_displacement = apart > 0 ? apart / radius * *rc::gen::element(0.5, 0.9, 1.1, 2.) : 1e-9;
+  options.most_displaced_vertices = static_cast<std::size_t>(count + *rc::gen::element(-1, 0, 5));
+  const bool is_listed = apart / radius > options.least_displacement && vertices.size() <= options.most_displaced_vertices;
+  RC_TAG(is_listed ? "listed" : "kept");
+  const auto pieces = root_pieces(rig, options);
+  RC_ASSERT(pieces.size() == (is_listed ? vertices.size() : 1));
+  for (const RootPiece& piece : pieces) RC_ASSERT((piece.radius == 0) == is_listed);
+}
+
 void what_is_listed_by_its_vertices(Suite& t) {
+  t.holds("a piece is listed by its vertices if all morph targets together take these farther apart than said, and they are few",
+          {.number_type = "double", .cases = 200, .tags_at_least = {{"listed", 0.15}, {"kept", 0.3}}}, check_displaced_vertices);
   t.example("what is better listed by its vertices is not split, but counts as a piece", {}, [] {
     // Three blended vertices, far apart, against the four control points of their two weight vertices, twice; and a
     // rigid ring.

@@ -5,6 +5,8 @@
 
 #include <sys/resource.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -293,6 +295,153 @@ void crossfades(Suite& t) {
   });
 }
 
+// Two triangles of one joint, and a clip of three seconds for each axis. In the first second the first clip turns the joint about its
+// axis, in the second the second, and so on; else it stays.
+Model make_turning(double degrees, const std::vector<Eigen::Vector3d>& axes) {
+  Model model = gen::model_of_nodes("turning", {{"a", -1, Eigen::Matrix4d::Identity()}});
+  model.vertices = {{1, 0, 0}, {2, 0, 0.5}, {1.5, 0, 0.5}, {2, 0, -0.5}};
+  model.triangles = {{0, 1, 2}, {0, 3, 1}}, model.influences.assign(4, {{0, 1}});
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    NodeTrack track{0, {{{0, Eigen::Vector3d::Zero()}}}, {}, {{{0, Eigen::Vector3d::Ones()}}}};
+    const Eigen::Quaterniond turned(Eigen::AngleAxisd(degrees / 180 * 3.141592653589793, axes[k]));
+    for (int time = 0; time < 4; ++time)
+      track.rotations.keys.push_back({double(time), time <= static_cast<int>(k) ? Eigen::Quaterniond::Identity() : turned});
+    const std::string name = "turn " + std::to_string(k);
+    model.clips.push_back({name, 3, {}, {name, 3, {track}}});
+  }
+  return model;
+}
+
+// The time at which a vertex is farthest outside, or -1 if none is.
+double time_of_farthest(const std::string& said) {
+  static const std::regex moment(R"(farthest: .* at (-?[0-9.]+) s)");
+  std::smatch found;
+  return std::regex_search(said, found, moment) ? std::stod(found[1]) : -1;
+}
+
+void what_leaves_its_box_between_keys(Suite& t) {
+  t.example("a vertex that leaves its box between two keys alone is found, between whichever two", {}, [] {
+    const gen::TemporaryFolder folder;
+    const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), bad = folder.file("bad.glb");
+    const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+    write_gltf(make_turning(170, {z, z, z}), in);
+    const Called called = call({"bake", "--clusters", "4", in, out}), checked = call({"check", "--samples", "20", out});
+    bool good = called.code == 0 && checked.code == 0 && time_of_farthest(checked.out) == -1;
+    std::string found;
+    for (std::size_t clip = 0; clip < 3; ++clip) {
+      tamper(out, bad, [&](BakedFile& baked) {
+        Box<float>& box = baked.clusters.clips[clip].clusters[0].box;
+        box.high[1] = box.low[1] + (box.high[1] - box.low[1]) / 2;
+      });
+      const Called again = call({"check", "--samples", "20", bad});
+      const double time = time_of_farthest(again.out), start = static_cast<double>(clip);
+      found += again.out;
+      good = good && again.code == 1 && start < time && time < start + 1;
+    }
+    return Checked(good, 4, called.errors + checked.out + found);
+  });
+}
+
+// That what is written of three clips' crossfades, in the summary and in the file, is of the clips that it names.
+std::string wrong_of_crossfades(const json& summary, const json& file) {
+  std::string wrong;
+  const auto expect = [&](bool is_so, const std::string& what) {
+    if (!is_so) wrong += what + "; ";
+  };
+  const auto extras = [&](int clip) { return file["animations"][clip]["extras"]["refitlab"]; };
+  expect(summary.at("tolerance") == 0.02 && summary.at("crossfade_tolerance") == 0.5, "the summary's tolerances");
+  expect(summary.at("clips").size() == 3 && summary.at("crossfades").size() == 3, "as many clips or crossfades");
+  for (int clip = 0; clip < 3; ++clip) {
+    const json own = extras(clip), &said = summary["clips"][clip];
+    expect(own["tolerance"] == 0.02 && own["crossfade_tolerance"] == 0.5, "a clip's tolerances");
+    expect(own["rotations"] == "nlerp" && own["skinning"] == "linear", "how a clip is bounded");
+    expect(said["name"] == "turn " + std::to_string(clip) && said["duration"] == 3.0, "a clip's name");
+    expect(said["parts"][0]["box"] == own["box"] && said["parts"][0]["ball"] == own["ball"], "a clip's bound");
+    expect(own["crossfades"].size() == 2, "a clip's crossfades");
+  }
+  std::size_t position = 0;
+  for (int first = 0; first < 3; ++first)
+    for (int second = first + 1; second < 3; ++second, ++position) {
+      const json& said = summary["crossfades"][position];
+      expect(said["first"] == "turn " + std::to_string(first) && said["second"] == "turn " + std::to_string(second),
+             "a crossfade's clips: " + said["first"].dump() + " and " + said["second"].dump());
+      for (const auto& [clip, other] : {std::pair(first, second), std::pair(second, first)}) {
+        const json own = extras(clip), &fades = own["crossfades"];
+        const auto with = std::find_if(fades.begin(), fades.end(), [&](const json& fade) { return fade["animation"] == other; });
+        expect(with != fades.end() && (*with)["box"] == said["parts"][0]["box"], "a crossfade in the file");
+      }
+    }
+  return wrong;
+}
+
+void crossfades_of_three_clips(Suite& t) {
+  t.example("of each crossfade both clips are looked at, and what is written of it is of both", {}, [] {
+    const gen::TemporaryFolder folder;
+    const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), bad = folder.file("bad.glb"),
+                      to = folder.file("summary.json");
+    const Eigen::Vector3d y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
+    write_gltf(make_turning(80, {z, -z, y}), in);
+    const Called called = call({"bake", "--for", "crossfade", "--tolerance", "0.02", "--crossfade-tolerance", "0.5",
+                                "--rotations", "nlerp", "--clusters", "4", "--json", to, in, out}),
+                 checked = call({"check", "--samples", "50", out});
+    if (called.code != 0 || checked.code != 0) return Checked(false, 0, called.errors + checked.out);
+    std::string wrong = wrong_of_crossfades(json::parse(read_whole(to)), description_of(out));
+    // A crossfade's box that is one clip's is left in the other clip, by that crossfade alone.
+    long tried = 0;
+    for (std::size_t fade = 0; fade < 3; ++fade)
+      for (const bool is_first : {true, false}) {
+        std::string name;
+        tamper(out, bad, [&](BakedFile& baked) {
+          ClusterBounds& bounds = baked.clusters;
+          ClusterBounds::Crossfade& tampered = bounds.crossfades[fade];
+          tampered.clusters = bounds.clips[is_first ? tampered.first : tampered.second].clusters;
+          name = "crossfade of '" + bounds.clips[tampered.first].name + "' and '" + bounds.clips[tampered.second].name + "': ";
+        });
+        const Called again = call({"check", "--samples", "50", bad});
+        std::istringstream lines(again.out);
+        long found = 0;
+        for (std::string line; std::getline(lines, line);) {
+          if (line.find("farthest: ") == std::string::npos) continue;
+          found += line.starts_with(name) && weight_of_moment(line, read_baked(bad)) >= 0 ? 1 : 100;
+        }
+        if (again.code != 1 || found != 1) wrong += name + again.out;
+        ++tried;
+      }
+    return Checked(wrong.empty(), tried, wrong);
+  });
+}
+
+// Three joints, of which each clip scales the second by factors that are evenly spread over a second.
+Model make_scaling(const std::vector<std::vector<double>>& factors_of_clips) {
+  const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+  Model model = gen::model_of_nodes("scaling", {{"a", -1, identity}, {"b", -1, identity}, {"c", -1, identity}});
+  model.vertices = {{1, 0, 0}, {0, 1, 0.5}, {1, 1, 0}}, model.triangles = {{0, 1, 2}};
+  model.influences = {{{0, 1}}, {{1, 1}}, {{2, 1}}};
+  for (const std::vector<double>& factors : factors_of_clips) {
+    NodeTrack track{1, {{{0, Eigen::Vector3d::Zero()}}}, {{{0, Eigen::Quaterniond::Identity()}}}, {}};
+    for (std::size_t k = 0; k < factors.size(); ++k)
+      track.scales.keys.push_back(
+          {static_cast<double>(k) / static_cast<double>(factors.size() - 1), factors[k] * Eigen::Vector3d::Ones()});
+    model.clips.push_back({"clip", 1, {}, {"clip", 1, {track}}});
+  }
+  return model;
+}
+
+void info_says_which_clips_are_rigid(Suite& t) {
+  t.example(
+      "info says of each clip whether it is rigid: one is not that scales a joint at its start, at its end or between", {}, [] {
+        const gen::TemporaryFolder folder;
+        std::vector<std::vector<double>> clips = {std::vector<double>(5, 1)};
+        for (std::size_t k = 0; k < 5; ++k) clips.push_back(clips[0]), clips.back()[k] = 2;
+        write_gltf(make_scaling(clips), folder.file("in.glb"));
+        const Called info = call({"info", folder.file("in.glb")});
+        bool good = info.code == 0 && info.out.find("    #1 clip: 1 s, 7 keys, rigid\n") != std::string::npos;
+        for (std::size_t k = 1; k < clips.size(); ++k)
+          good = good && info.out.find("    #" + std::to_string(k + 1) + " clip: 1 s, 7 keys, not rigid: ") != std::string::npos;
+        return Checked(good, static_cast<long>(clips.size()), info.out + info.errors);
+      });
+}
+
 void what_is_said_of_a_file(Suite& t) {
   t.example("the summary of a bake says how long it took and how much memory, which is no less than what is there", {}, [] {
     const Rich rich(true, true);
@@ -348,6 +497,56 @@ Model make_hidden() {
   const NodeTrack track{0, {{{0, zero}}}, {{{0, Eigen::Quaterniond::Identity()}}}, {{{0, zero}, {1, zero}}}};
   model.clips.push_back({"clip", 1, {}, {"clip", 1, {track}}});
   return model;
+}
+
+// The same triangles below a node that goes aside and back between two times of a clip, and stays before and after.
+Model make_swing(double duration, double start, double end) {
+  Model model = make_hidden();
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  NodeTrack track{0, {}, {{{0, Eigen::Quaterniond::Identity()}}}, {{{0, Eigen::Vector3d::Ones()}}}};
+  if (start > 0) track.positions.keys.push_back({0, zero});
+  track.positions.keys.insert(track.positions.keys.end(), {{start, zero}, {(start + end) / 2, {0, 3, 0}}, {end, zero}});
+  if (end < duration) track.positions.keys.push_back({duration, zero});
+  model.clips = {{"clip", duration, {}, {"clip", duration, {track}}}};
+  return model;
+}
+
+void what_sampling_misses(Suite& t) {
+  t.example("what moves between two sampled times alone is missed, between whichever two, and what moves at one is not", {}, [] {
+    constexpr double step = 1 / sampled_rate;
+    struct Swing {
+      double duration, start, end;
+      bool is_missed;
+    };
+    std::string wrong;
+    long tried = 0;
+    for (const Swing& s :
+         {Swing{0.99, 0, step, true}, Swing{0.99, 14 * step, 15 * step, true}, Swing{0.99, 28 * step, 29 * step, true},
+          Swing{0.99, 29 * step, 0.99, true}, Swing{0.02, 0, 0.02, true}, Swing{1, 29 * step, 1, true},
+          Swing{0.99, 13.5 * step, 14.5 * step, false}, Swing{0.99, 28.5 * step, 29.5 * step, false}}) {
+      const Model model = make_swing(s.duration, s.start, s.end);
+      const ModelBounds bounds = bound_model(model, {.cluster_triangles = 4});
+      const SampledMisses by_keys = misses_of_sampling(model, bounds, 0, Sampling::keys),
+                          by_rate = misses_of_sampling(model, bounds, 0, Sampling::fixed_rate);
+      if (by_keys.clusters != 0) wrong += "missed by keys; ";
+      // By three units of a box of one.
+      const bool is_found = by_rate.clusters == 1 && by_rate.worst == 0 && std::abs(by_rate.by - 3) < 1e-9 &&
+                            std::abs(by_rate.time - (s.start + s.end) / 2) < 1e-9;
+      if (s.is_missed ? !is_found : by_rate.clusters != 0)
+        wrong += "from " + std::to_string(s.start) + " s: " + std::to_string(by_rate.clusters) + " clusters, by " +
+                 std::to_string(by_rate.by) + " at " + std::to_string(by_rate.time) + " s; ";
+      ++tried;
+    }
+    const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+    const Model turning = make_turning(170, {z, z, z});
+    const ModelBounds bounds = bound_model(turning, {.cluster_triangles = 4});
+    for (std::size_t clip = 0; clip < 3; ++clip, ++tried) {
+      const SampledMisses by_keys = misses_of_sampling(turning, bounds, clip, Sampling::keys);
+      if (by_keys.clusters != 1 || !(clip < by_keys.time && by_keys.time < static_cast<double>(clip + 1)))
+        wrong += "between keys; ";
+    }
+    return Checked(wrong.empty(), tried, wrong);
+  });
 }
 
 void reports_and_progress(Suite& t) {
@@ -419,39 +618,41 @@ void reports_and_progress(Suite& t) {
 }
 
 void collide_writes_pairs_and_certificates(Suite& t) {
-  t.example(
-      "collide finds the pairs of a file whose joints scale and whose morph weights move, by the file's own formulas", {}, [] {
-        const Rich rich(true, true);
-        const std::string in = rich.folder.file("in.glb"), pairs = rich.folder.file("pairs.json");
-        std::vector<Triangle> triangles;
-        const auto points_at = [&](double time, const Eigen::Vector3d& at) {
-          std::vector<Point3> out;
-          triangles.clear();
-          for (const auto& primitive : rich.gltf.primitives()) {
-            const int first = static_cast<int>(out.size());
-            for (const Eigen::Vector3d& v : rich.gltf.posed(primitive, time)) out.push_back(v + at);
-            for (const auto& t : primitive.triangles) triangles.push_back({first + t[0], first + t[1], first + t[2]});
-          }
-          return out;
-        };
-        std::string found;
-        long total = 0;
-        for (const double offset : {0.0625, 0.5}) {
-          const auto a = points_at(1.25, {0, 0, 0}), b = points_at(0.5, {offset, -0.03, -0.01});
-          const auto expected = oracle::all_pairs(triangles, a, triangles, b).size();
-          const Called called = call({"collide", "--clip-a", "move", "--time-a", "1.25", "--clip-b", "move", "--time-b", "0.5",
-                                      "--json", pairs, in, in, "--at", std::to_string(offset), "-0.03", "-0.01"});
-          if (called.code != 0) return Checked(false, 0, called.errors);
-          const std::size_t count = json::parse(read_whole(pairs)).at("pairs").size();
-          total += static_cast<long>(expected);
-          if (count != expected) found += std::to_string(count) + " pairs for " + std::to_string(expected) + "; ";
-          for (const char* skinning : {"dual-quaternion", "spherical"})
-            if (const Called two = call({"collide", "--skinning", skinning, "--clip-a", "move", "--time-a", "1.25", in, in});
-                two.code != 0)
-              found += two.errors;
-        }
-        return Checked(found.empty() && total > 5, total, found);
-      });
+  t.example("collide finds the pairs of a file whose joints scale and whose morph weights move, by the file's own formulas", {},
+            [] {
+              const Rich rich(true, true);
+              const std::string in = rich.folder.file("in.glb"), pairs = rich.folder.file("pairs.json");
+              std::vector<Triangle> triangles;
+              const auto points_at = [&](double time, const Eigen::Vector3d& at) {
+                std::vector<Point3> out;
+                triangles.clear();
+                for (const auto& primitive : rich.gltf.primitives()) {
+                  const int first = static_cast<int>(out.size());
+                  for (const Eigen::Vector3d& v : rich.gltf.posed(primitive, time)) out.push_back(v + at);
+                  for (const auto& t : primitive.triangles) triangles.push_back({first + t[0], first + t[1], first + t[2]});
+                }
+                return out;
+              };
+              std::string found;
+              long total = 0;
+              // Also at the clip's start and its end.
+              for (const auto& [offset, time] : {std::pair(0.0625, 1.25), {0.5, 1.25}, {0.0625, 0.0}, {0.0625, 2.0}}) {
+                const auto a = points_at(time, {0, 0, 0}), b = points_at(0.5, {offset, -0.03, -0.01});
+                const auto expected = oracle::all_pairs(triangles, a, triangles, b).size();
+                const std::string at = std::to_string(time);
+                const Called called = call({"collide", "--clip-a", "move", "--time-a", at, "--clip-b", "move", "--time-b", "0.5",
+                                            "--json", pairs, in, in, "--at", std::to_string(offset), "-0.03", "-0.01"});
+                if (called.code != 0) return Checked(false, 0, called.errors);
+                const std::size_t count = json::parse(read_whole(pairs)).at("pairs").size();
+                total += static_cast<long>(expected);
+                if (count != expected) found += std::to_string(count) + " pairs for " + std::to_string(expected) + "; ";
+                for (const char* skinning : {"dual-quaternion", "spherical"})
+                  if (const Called two = call({"collide", "--skinning", skinning, "--clip-a", "move", "--time-a", at, in, in});
+                      two.code != 0)
+                    found += two.errors;
+              }
+              return Checked(found.empty() && total > 5, total, found);
+            });
   t.example("collide writes the pairs that it prints, and a certificate of them that is accepted against its documents", {}, [] {
     const Rich rich(false, false);
     const gen::TemporaryFolder& folder = rich.folder;
@@ -481,6 +682,48 @@ void collide_writes_pairs_and_certificates(Suite& t) {
   });
 }
 
+// A file of a triangle that one of three joints moves by a matrix, and of the same one, so far away, that the others hold.
+std::string file_of_moved(const gen::TemporaryFolder& folder, const std::string& name, const Eigen::Matrix4d& by,
+                          const std::vector<Point3>& corners, double away) {
+  const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+  Model model = gen::model_of_nodes("three", {{"a", -1, identity}, {"b", -1, by}, {"c", -1, identity}});
+  model.vertices = corners, model.triangles = {{0, 1, 2}, {3, 4, 5}}, model.influences.assign(3, {{1, 1}});
+  for (const Point3& p : corners) model.vertices.push_back(p - Point3(away, 0, 0));
+  model.influences.resize(6, {{0, 1}}), model.influences[4] = {{2, 1}};
+  write_gltf(model, folder.file(name));
+  return folder.file(name);
+}
+
+void collide_scales_before_it_turns(Suite& t) {
+  t.example("collide has a triangle of a joint that scales and turns where the file has it, in every skinning", {}, [] {
+    const gen::TemporaryFolder folder;
+    const std::vector<Point3> corners = {{4, -1, -1}, {4, 1, -1}, {4, 0, 1}};
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
+    std::string wrong;
+    long tried = 0;
+    for (const Eigen::Vector3d& factors : {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(2, 2, 2), Eigen::Vector3d(0.25, 0.25, 0.25),
+                                           Eigen::Vector3d(3, 1, 0.5), Eigen::Vector3d(-2, 1, 1)}) {
+      Eigen::Matrix4d by = Eigen::Matrix4d::Identity();
+      by.topLeftCorner<3, 3>() = turn * factors.asDiagonal();
+      std::vector<Point3> moved;
+      for (const Point3& p : corners) moved.push_back((by * p.homogeneous()).head<3>());
+      // A triangle that crosses the moved one in the middle, and no other.
+      const Point3 middle = (moved[0] + moved[1] + moved[2]) / 3, side = (moved[1] - moved[0]).normalized() / 32,
+                   up = side.cross(Point3(moved[2] - moved[0])).normalized() / 8;
+      const std::string first = file_of_moved(folder, "moved.glb", by, corners, 1000),
+                        second = file_of_moved(folder, "needle.glb", Eigen::Matrix4d::Identity(),
+                                               {middle + up, middle - up, middle - up + side}, 2000);
+      for (const char* skinning : {"linear", "dual-quaternion", "spherical"}) {
+        const Called called = call({"collide", "--pairs", "--skinning", skinning, first, second});
+        if (called.code != 0 || called.out != "1 pairs of triangles touch\n0 0\n")
+          wrong += called.errors + skinning + ": " + called.out;
+        ++tried;
+      }
+    }
+    return Checked(wrong.empty(), tried, wrong);
+  });
+}
+
 void strange_names_and_joints(Suite& t) {
   t.example("files are named as they are in what is written, in UTF-8 or not", {}, [] {
     const Rich rich(false, false);
@@ -505,20 +748,12 @@ void strange_names_and_joints(Suite& t) {
     long touching = 0;
     // A triangle at x = 100, by a joint of this scale, and one from 100.05 to 100.2 that crosses where it then is.
     for (const double scale : {1.0, 1.001}) {
-      const auto of = [&](double joint_scale, const std::vector<Point3>& corners) {
-        const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
-        Eigen::Matrix4d local = identity;
-        local.topLeftCorner<3, 3>() *= joint_scale;
-        Model model = gen::model_of_nodes("three", {{"a", -1, identity}, {"b", -1, local}, {"c", -1, identity}});
-        model.vertices = corners, model.triangles = {{0, 1, 2}, {3, 4, 5}}, model.influences.assign(3, {{1, 1}});
-        for (const Point3& p : corners) model.vertices.push_back(p - Point3(corners[0][0] == 100 ? 150 : 250, 0, 0));
-        model.influences.resize(6, {{0, 1}}), model.influences[4] = {{2, 1}};
-        const std::string file = folder.file(std::to_string(joint_scale) + std::to_string(corners[0][0]) + ".glb");
-        write_gltf(model, file);
-        return file;
-      };
-      const Called called = call({"collide", of(scale, {{100, -1, -1}, {100, 1, -1}, {100, 0, 1}}),
-                                  of(1, {{100.0625, -0.25, 0}, {100.25, 0, 0}, {100.0625, 0.25, 0}})});
+      const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+      Eigen::Matrix4d local = identity;
+      local.topLeftCorner<3, 3>() *= scale;
+      const Called called =
+          call({"collide", file_of_moved(folder, "a.glb", local, {{100, -1, -1}, {100, 1, -1}, {100, 0, 1}}, 150),
+                file_of_moved(folder, "b.glb", identity, {{100.0625, -0.25, 0}, {100.25, 0, 0}, {100.0625, 0.25, 0}}, 250)});
       if (called.code != 0) return Checked(false, 0, called.errors);
       touching += called.out.starts_with("1 pair") ? (scale > 1 ? 1 : 100) : 0;
     }
@@ -559,6 +794,42 @@ void options_of_what_is_not_asked_for(Suite& t) {
     fails({"collide", "--time-a", "1", in, in}, "--time-a is that of a clip: --clip-a names it");
     fails({"collide", "--clip-a", "move", "--time-b", "0", in, in}, "--time-b is that of a clip: --clip-b names it");
     return Checked(wrong.empty(), 4, wrong);
+  });
+}
+
+void numbers_beyond_either_end(Suite& t) {
+  t.example("numbers beyond either end of what an option takes are refused, and the ends are taken", {}, [] {
+    const Rich rich(false, false);
+    const std::string in = rich.folder.file("in.glb"), baked = rich.folder.file("out.glb"), out = rich.folder.file("never.glb");
+    std::string wrong;
+    long tried = 0;
+    const auto says = [&](int code, const std::vector<std::string>& arguments, const std::string& option,
+                          const std::vector<std::string>& values, const std::string& reason) {
+      for (const std::string& value : values) {
+        std::vector<std::string> all = arguments;
+        all.insert(all.begin() + 1, option + "=" + value);
+        const Called called = call(all);
+        if (called.code != code || called.errors.find(reason) == std::string::npos || std::filesystem::exists(out) != (code == 0))
+          wrong += option + " " + value + ": " + std::to_string(called.code) + " " + called.errors + "; ";
+        std::filesystem::remove(out);
+        ++tried;
+      }
+    };
+    const std::vector<std::string> bake = {"bake", "--quiet", in, out}, check = {"check", baked},
+                                   fade = {"bake", "--for", "crossfade", in, out}, none = {"-1", "0", "1.001", "nan", "inf"};
+    says(2, bake, "--clusters", {"-4", "1", "3", "510", "516"}, "a multiple of 4 from 4 to 512, or 0");
+    says(0, bake, "--clusters", {"0", "4", "512"}, "");
+    says(2, bake, "--tolerance", none, "--tolerance takes a number above 0, and up to 1");
+    says(0, bake, "--tolerance", {"1"}, "");
+    says(2, fade, "--crossfade-tolerance", none, "--crossfade-tolerance takes a number above 0, and up to 1");
+    says(2, bake, "--dop", {"-6", "0", "4", "10", "28"}, "--dop takes 6, 14, 18 or 26");
+    says(2, check, "--samples", {"-1", "0"}, "--samples takes a number above 0");
+    for (const std::string side : {"a", "b"}) {
+      const std::vector<std::string> collide = {"collide", "--clip-" + side, "move", "--json", out, in, in};
+      says(2, collide, "--time-" + side, {"-1e-9", "2.000001", "-inf", "inf", "nan"}, "the clip goes from 0 to 2");
+      says(0, collide, "--time-" + side, {"0", "2"}, "");
+    }
+    return Checked(wrong.empty(), tried, wrong);
   });
 }
 
@@ -748,12 +1019,18 @@ PROPTEST(program) {
   bounds_hold_and_are_checked(t);
   characters_and_nodes(t);
   crossfades(t);
+  what_leaves_its_box_between_keys(t);
+  crossfades_of_three_clips(t);
+  info_says_which_clips_are_rigid(t);
   what_is_said_of_a_file(t);
+  what_sampling_misses(t);
   reports_and_progress(t);
   strange_names_and_joints(t);
   collide_writes_pairs_and_certificates(t);
+  collide_scales_before_it_turns(t);
   collide_tells_of_long_certificates(t);
   options_of_what_is_not_asked_for(t);
+  numbers_beyond_either_end(t);
   what_is_behind_a_chunk(t);
   names_that_would_leave_their_line(t);
   clips_of_one_name(t);

@@ -62,23 +62,56 @@ std::string wrong_with(const Separation& s, const PosedBody& first, const PosedB
   return todo.empty() && contacts == s.contacts.size() ? "" : "there are steps too few";
 }
 
-void check_two_bodies() {
-  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-  const auto bodies = gen::two_bodies(random);
-  const Separation found = separate(bodies.first, bodies.second);
-  RC_CLASSIFY(gen::is_degenerate(bodies), "degenerate");
+// Two corners of the long body are farther away than the small one is large by as much as double has digits, at a right angle to the
+// direction in which the bodies are apart. The products with that direction cancel, and their rounding is as large as the gap.
+std::pair<PosedBody, PosedBody> small_beside_long(std::mt19937& random) {
+  const auto whole = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+  const auto real = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  Point3 apart, along;
+  do {
+    for (double& x : apart) x = whole(-16, 16);
+    apart[whole(0, 2)] = whole(0, 1) == 1 ? 16 : -16;
+    along = apart.cross(Point3(whole(-16, 16), whole(-16, 16), whole(-16, 16)));
+  } while (along.isZero());
+  Point3 far = along * std::ldexp(real(1, 2), whole(-20, 20));
+  for (double& x : far) x *= 1 + whole(-1, 1) * 0x1p-52;
+  const double gap = std::exp2(std::floor(std::log2(far.norm() / apart.norm())) - 53 + whole(-1, 1));
+  const Point3 corner = 0x1p-6 * Point3(whole(-8, 8), whole(-8, 8), whole(-8, 8));
+  PosedBody small{"small", {}, {{0, 1, 2}}}, wide{"long", {far, -far, far + apart * real(0, 2) * far.norm()}, {}};
+  for (const double share : {1., -1., real(-1, 1)}) small.vertices.push_back(gap * (share * corner - apart));
+  wide.triangles.push_back({0, 1, 1});
+  if (whole(0, 3) == 0) wide.triangles.push_back({0, 1, 2});
+  return {small, wide};
+}
+
+void check_bodies(const PosedBody& first, const PosedBody& second, std::mt19937& random) {
+  const Separation found = separate(first, second);
   RC_CLASSIFY(!found.contacts.empty(), "touch");
-  const std::string wrong = wrong_with(found, bodies.first, bodies.second);
+  const std::string wrong = wrong_with(found, first, second);
   if (!wrong.empty()) RC_FAIL(wrong);
   // Some pairs by another decision.
   std::vector<TrianglePair> pairs;
   for (const auto& contact : found.contacts) pairs.push_back(contact.pair);
-  for (int i = 0; i < 10; ++i) {
-    const int t = std::uniform_int_distribution<int>(0, int(bodies.first.triangles.size()) - 1)(random),
-              u = std::uniform_int_distribution<int>(0, int(bodies.second.triangles.size()) - 1)(random);
-    RC_ASSERT(oracle::triangles_meet(bodies.first.triangle(t), bodies.second.triangle(u)) ==
+  for (std::size_t i = 0; i < std::min<std::size_t>(10, first.triangles.size() * second.triangles.size()); ++i) {
+    const int t = std::uniform_int_distribution<int>(0, int(first.triangles.size()) - 1)(random),
+              u = std::uniform_int_distribution<int>(0, int(second.triangles.size()) - 1)(random);
+    RC_ASSERT(oracle::triangles_meet(first.triangle(t), second.triangle(u)) ==
               (std::ranges::find(pairs, TrianglePair{t, u}) != pairs.end()));
   }
+}
+
+void check_two_bodies() {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  const auto bodies = gen::two_bodies(random);
+  RC_CLASSIFY(gen::is_degenerate(bodies), "degenerate");
+  check_bodies(bodies.first, bodies.second, random);
+}
+
+void check_small_beside_long() {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  const auto [small, wide] = small_beside_long(random);
+  check_bodies(small, wide, random);
+  check_bodies(wide, small, random);
 }
 
 bool refuses(const PosedBody& first, const PosedBody& second) {
@@ -95,6 +128,10 @@ bool refuses(const PosedBody& first, const PosedBody& second) {
 PROPTEST(separation) {
   t.holds("the steps come to each pair of triangles, and their planes and contacts are right in exact arithmetic",
           {.number_type = "double against rational", .cases = 300, .degenerate_at_least = 0.5}, check_two_bodies);
+  t.holds(
+      "beside corners so far away that their products are rounded by as much as the bodies are apart, planes and contacts are "
+      "right",
+      {.number_type = "double against rational", .cases = 200}, check_small_beside_long);
   t.example("two procedural men with thousands of triangles touch where a query of all pairs finds it, in a few steps a contact",
             {}, [] {
               const auto man = bake(make_man());

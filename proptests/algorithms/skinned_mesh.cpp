@@ -32,9 +32,16 @@ struct Broken {
 
 constexpr double unit = 0x1p-24, beyond = 1e40 * (1 + 0x1p-52);
 
+// Two morph targets, of which one vertex of twelve has these displacements.
+using Displacements = std::vector<Displacement<double>>;
+std::function<void(SkinnedMesh&)> displaced(const Displacements& list) {
+  return [=](SkinnedMesh& m) { m.targets = {2, std::vector<Displacements>(12)}, m.targets.of_vertex[4] = list; };
+}
+
 // Of three joints and twelve vertices. Most are as near to what is accepted (accepted_models) as numbers can be.
 std::vector<Broken> broken_models() {
   const auto weights = [](std::vector<Influence> list) { return [=](SkinnedMesh& m) { m.influences[2] = list; }; };
+  const Point3 some(0.1, 0, 0);
   return {
       {[](SkinnedMesh& m) { m.joints.clear(); }, "skeleton: no joints"},
       {[](SkinnedMesh& m) { m.vertices.clear(); }, "mesh: no triangles"},
@@ -75,6 +82,25 @@ std::vector<Broken> broken_models() {
       {weights({{0, 0.5}, {1, 0.5 + unit}}), "vertex 2: the weights do not sum to 1"},
       {weights({{0, 1.0}, {1, unit}}), "vertex 2: the weights do not sum to 1"},
       {weights({}), "vertex 2: the weights do not sum to 1"},
+      {[](SkinnedMesh& m) { m.targets.count = -1; }, "morph targets: not one list of displacements a vertex"},
+      {[](SkinnedMesh& m) { m.targets.count = 1; }, "morph targets: not one list of displacements a vertex"},
+      {[](SkinnedMesh& m) { m.targets.of_vertex.resize(12); }, "morph targets: not one list of displacements a vertex"},
+      {[](SkinnedMesh& m) {
+         m.targets = {2, std::vector<Displacements>(11)};
+       },
+       "morph targets: not one list of displacements a vertex"},
+      {[](SkinnedMesh& m) {
+         m.targets = {2, std::vector<Displacements>(13)};
+       },
+       "morph targets: not one list of displacements a vertex"},
+      {displaced({{-1, some}}), "vertex 4: displacements are not by increasing targets of the mesh"},
+      {displaced({{2, some}}), "vertex 4: displacements are not by increasing targets of the mesh"},
+      {displaced({{0, some}, {0, some}}), "vertex 4: displacements are not by increasing targets of the mesh"},
+      {displaced({{1, some}, {0, some}}), "vertex 4: displacements are not by increasing targets of the mesh"},
+      {displaced({{0, some}, {1, Point3(0, NAN, 0)}}), "vertex 4: its displacement is not finite"},
+      {displaced({{0, Point3(-INFINITY, 0, 0)}}), "vertex 4: its displacement is not finite"},
+      {displaced({{1, Point3(0, 0, beyond)}}), "vertex 4: its displacement is out of range, beyond 1e40"},
+      {displaced({{1, Point3(-beyond, 0, 0)}}), "vertex 4: its displacement is out of range, beyond 1e40"},
   };
 }
 
@@ -101,6 +127,9 @@ std::vector<std::function<void(SkinnedMesh&)>> accepted_models() {
       weights({{2, 1.0}}),
       weights({{0, unit}, {2, 1 - unit}}),
       weights({{0, unit}, {1, unit}, {2, 1 - 2 * unit}}),
+      displaced({}),
+      displaced({{1, Point3(0, 0, 0)}}),
+      displaced({{0, Point3(1e40, 0, 0)}, {1, Point3(0, -1e40, 0)}}),
   };
   for (int axis = 0; axis < 3; ++axis)
     for (const double end : {1e40, -1e40, 5e-324, -0.0}) {

@@ -37,16 +37,47 @@ bool has_half_turn(const SkinningPalette<double>& palette) {
   return false;
 }
 
+bool same(const PaletteRounding<double>& a, const PaletteRounding<double>& b) {
+  return a.vertex.per_length == b.vertex.per_length && a.vertex.per_radius == b.vertex.per_radius &&
+         a.vertex.offset == b.vertex.offset && a.weight_vertices.per_length == b.weight_vertices.per_length &&
+         a.weight_vertices.per_radius == b.weight_vertices.per_radius && a.weight_vertices.offset == b.weight_vertices.offset;
+}
+
 bool same(const SkinningPalette<double>& a, const SkinningPalette<double>& b) {
   const auto same_transform = [](const RigidTransform<double>& x, const RigidTransform<double>& y) {
     return x.rotation == y.rotation && x.translation == y.translation;
   };
-  if (a.size() != b.size()) return false;
-  for (std::size_t s = 0; s < a.size(); ++s)
+  const auto same_map = [](const AffineMap<double>& x, const AffineMap<double>& y) {
+    return x.columns == y.columns && x.offset == y.offset;
+  };
+  if (a.size() != b.size() || a.is_affine() != b.is_affine() || a.is_measured() != b.is_measured()) return false;
+  for (std::size_t s = 0; s < a.size(); ++s) {
     if (!std::ranges::equal(a[s].transforms, b[s].transforms, same_transform) || a[s].rotation_center != b[s].rotation_center ||
-        !std::ranges::equal(a[s].center_images, b[s].center_images) || !std::ranges::equal(a[s].duals, b[s].duals))
+        !std::ranges::equal(a[s].center_images, b[s].center_images) || !std::ranges::equal(a[s].duals, b[s].duals) ||
+        !std::ranges::equal(a[s].maps, b[s].maps, same_map) || !std::ranges::equal(a[s].stretches, b[s].stretches))
       return false;
+    for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion})
+      if (!same(a.rounding(s, skinning), b.rounding(s, skinning))) return false;
+  }
   return true;
+}
+
+// Affine joints with entries and offsets of some size.
+AffinePose drawn_affine(std::size_t joints) {
+  const auto number = [] { return *rc::gen::inRange(-3000, 3001) / 1000.0; };
+  AffinePose out(joints);
+  for (AffineMap<double>& map : out) {
+    for (Point3& column : map.columns) column = {number(), number(), number()};
+    map.offset = {number(), number(), number()};
+  }
+  return out;
+}
+
+// Fills a palette with a pose of rigid joints or, for linear skinning, with one of affine ones.
+void fill(SkinningPalette<double>& palette, const PosedModel& posed, const JointSets& sets, Skinning skinning,
+          const AffinePose& affine) {
+  if (affine.empty()) make_skinning_palette(posed.mesh, sets, posed.pose, skinning, palette);
+  else make_skinning_palette(posed.mesh, sets, affine, palette);
 }
 
 double worst_difference(const std::vector<Point3>& a, const std::vector<Point3>& b) {
@@ -174,16 +205,26 @@ void vertices_and_data_of_joint_sets(Suite& t) {
         }
       });
   t.holds("a palette that is filled again is the one made anew, whatever it held, and stays as it is if the pose is refused",
-          {.number_type = "double", .cases = 300}, [] {
-            const PosedModel before = *gen::posed_model(), posed = *gen::posed_model();
-            const JointSets sets(posed.mesh);
-            const Skinning skinning = *rc::gen::element(Skinning::spherical, Skinning::hejl);
-            SkinningPalette<double> palette = make_skinning_palette(before.mesh, JointSets(before.mesh), before.pose, skinning);
-            make_skinning_palette(posed.mesh, sets, posed.pose, skinning, palette);
-            const auto anew = make_skinning_palette(posed.mesh, sets, posed.pose, skinning);
-            RC_ASSERT(same(palette, anew));
-            RC_ASSERT_THROWS_AS(make_skinning_palette(posed.mesh, sets, {}, skinning, palette), ModelError);
-            RC_ASSERT(same(palette, anew));
+          {.number_type = "double", .cases = 300, .tags_at_least = {{"affine after affine", 0.1}, {"rigid after affine", 0.1}}},
+          [] {
+            SkinningPalette<double> palette;
+            bool was_affine = false;
+            for (int frame = 0; frame < 4; ++frame) {
+              const PosedModel posed = *gen::posed_model();
+              const JointSets sets(posed.mesh);
+              const Skinning skinning = *rc::gen::element(Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
+              const bool is_affine = *rc::gen::arbitrary<bool>();
+              const AffinePose affine = is_affine ? drawn_affine(posed.mesh.joints.size()) : AffinePose();
+              SkinningPalette<double> anew;
+              fill(palette, posed, sets, skinning, affine), fill(anew, posed, sets, skinning, affine);
+              RC_ASSERT(same(palette, anew));
+              RC_ASSERT_THROWS_AS(make_skinning_palette(posed.mesh, sets, Pose(), skinning, palette), ModelError);
+              RC_ASSERT_THROWS_AS(make_skinning_palette(posed.mesh, sets, AffinePose(), palette), ModelError);
+              RC_ASSERT(same(palette, anew));
+              RC_CLASSIFY(was_affine && is_affine, "affine after affine");
+              RC_CLASSIFY(was_affine && !is_affine, "rigid after affine");
+              was_affine = is_affine;
+            }
           });
   t.holds("the signs of a pose's quaternions move no vertex, but where joints of a set differ by a half-turn",
           {.number_type = "double", .cases = 500}, [] {
@@ -332,11 +373,22 @@ void refused_poses(Suite& t) {
                 return whole.find(said) != std::string::npos && whole.find(model.joints.back().name) != std::string::npos;
               };
               using Map = AffineMap<double>;
-              return is_refused("its transform is not finite", [](Map& m) { m.columns[1][2] = NAN; }) &&
-                     is_refused("its transform is not finite", [](Map& m) { m.offset[0] = INFINITY; }) &&
-                     is_refused("its translation is out of range", [](Map& m) { m.offset[1] = 1.1e40; }) &&
-                     is_refused("its matrix is out of range", [](Map& m) { m.columns[0][1] = -1.1e4; }) &&
-                     reason([](Map& m) { m.columns[0][1] = -1e4, m.offset[1] = 1e40; }).empty();
+              long tried = 0;
+              bool good = true;
+              for (int i = 0; i < 12; ++i) {  // the first nine are those of the matrix
+                const auto put = [=](double x) {
+                  return [=](Map& m) { (i < 9 ? m.columns[static_cast<std::size_t>(i / 3)][i % 3] : m.offset[i - 9]) = x; };
+                };
+                for (const double bad : {double(NAN), double(INFINITY), -double(INFINITY)})
+                  good = good && is_refused("its transform is not finite", put(bad)), ++tried;
+                const double end = i < 9 ? 1e4 : 1e40;
+                for (const double sign : {-1.0, 1.0}) {
+                  good = good && reason(put(sign * end)).empty(), ++tried;
+                  good = good && is_refused(i < 9 ? "its matrix is out of range" : "its translation is out of range",
+                                            put(sign * end * (1 + 0x1p-52)));
+                }
+              }
+              return Checked(good, tried);
             });
   t.example("a number in a pose that is not finite is refused with the joint's name", {}, [] {
     int refused = 0;

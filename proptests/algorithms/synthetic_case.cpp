@@ -123,6 +123,22 @@ void the_stored_sample_and_what_cases_keep(Suite& t) {
             });
 }
 
+// Of how many parts that have weights a joint-set's weight box is made if it is halved so often at the widest weight, the first of
+// several.
+int parts_with_weights(WeightBounds<Rational> bounds, int halvings) {
+  Rational widest(0), least(0), greatest(0);
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < bounds.low.size(); ++i) {
+    const Rational width = bounds.high[i] - bounds.low[i];
+    if (width > widest) widest = width, at = i;
+    least += bounds.low[i], greatest += bounds.high[i];
+  }
+  if (halvings == 0 || widest == 0) return least <= 1 && 1 <= greatest ? 1 : 0;
+  WeightBounds<Rational> above = bounds;
+  bounds.high[at] = above.low[at] = Rational(bounds.low[at] + widest / Rational(2));
+  return parts_with_weights(bounds, halvings - 1) + parts_with_weights(above, halvings - 1);
+}
+
 void pieces_of_a_synthetic_node(Suite& t) {
   t.holds("a synthetic case's node has the joint-sets' own balls as its pieces', and its own ball about them", {.cases = 100},
           [] {
@@ -164,6 +180,7 @@ void pieces_of_a_synthetic_node(Suite& t) {
                 boxes.emplace_back(low, high);
               }
               if (boxes.size() > 1) RC_TAG("divided");
+              RC_ASSERT(static_cast<int>(boxes.size()) == parts_with_weights(set.bounds, 2));
               for (const auto& weights : sampled_weights(set)) {
                 const auto has = [&](const auto& box) {
                   for (std::size_t i = 0; i < n; ++i)
@@ -174,6 +191,27 @@ void pieces_of_a_synthetic_node(Suite& t) {
               }
             }
           });
+}
+
+void weights_at_which_a_case_is_looked_at(Suite& t) {
+  t.example("of up to ten weight vertices each is looked at, and of more every n-th from the first on, ten at most", {}, [] {
+    constexpr int most = 60;
+    for (int m = 1; m <= most; ++m) {
+      SyntheticSet set;
+      set.palette.transforms.resize(2);
+      for (int k = 0; k < m; ++k) set.weight_vertices.push_back({Rational(k, most), Rational(most - k, most)});
+      const auto weights = sampled_weights(set);
+      // As few are passed over as can be.
+      std::size_t step = 1;
+      while (10 * step < set.weight_vertices.size()) ++step;
+      std::size_t count = 0;
+      for (std::size_t k = 0; k < set.weight_vertices.size(); k += step, ++count)
+        if (count >= weights.size() || weights[count] != set.weight_vertices[k])
+          return Checked(false, m, std::to_string(m) + " weight vertices");
+      if (weights.size() != (m == 1 ? 1 : count + 16)) return Checked(false, m, "as many others as for any case");
+    }
+    return Checked(true, most);
+  });
 }
 
 void scores_of_small_and_undefined_balls(Suite& t) {
@@ -240,6 +278,7 @@ PROPTEST(synthetic_case) {
             RC_ASSERT(score.misses == expected.misses);
             RC_ASSERT(std::abs(score.worst_miss - expected.worst / size_of(synthetic, ball)) <= 1e-13);
           });
+  weights_at_which_a_case_is_looked_at(t);
   pieces_of_a_synthetic_node(t);
   scores_of_small_and_undefined_balls(t);
   t.example("every sound variant holds every synthetic case up to rounding; each printed form misses some",

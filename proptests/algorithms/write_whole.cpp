@@ -3,6 +3,7 @@
 #include "algorithms/results/write_whole.hpp"
 
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -167,11 +168,52 @@ Checked devices_pipes_and_links() {
   return {good, 5, message + "; " + read};
 }
 
+// A writer waits for the reader of a full pipe, and signals interrupt it before the next byte is written.
+Checked interrupted_by_signals() {
+  const TemporaryFolder folder;
+  const std::string pipe = folder.file("pipe");
+  std::string text(300000, ' '), read;  // more than the pipe holds
+  for (std::size_t i = 0; i < text.size(); ++i) text[i] = static_cast<char>('a' + i % 23);
+  if (::mkfifo(pipe.c_str(), 0600) != 0) return {false, 0, "no pipe can be made"};
+  const int end = ::open(pipe.c_str(), O_RDWR | O_NONBLOCK);
+  struct sigaction handled {
+  }, before{};
+  handled.sa_handler = [](int) {};  // without SA_RESTART
+  ::sigaction(SIGUSR1, &handled, &before);
+  const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); };
+  const auto start = std::chrono::steady_clock::now();
+  const auto is_late = [&] { return std::chrono::steady_clock::now() - start > std::chrono::seconds(20); };
+  bool is_done = false;
+  {
+    ChildProcess writer([&] { write_whole(pipe, text); });
+    int waiting = 0;
+    for (int full = 0; full < 4 && !is_late(); pause()) {  // nothing more is written
+      const int were = waiting;
+      ::ioctl(end, FIONREAD, &waiting);
+      full = waiting > 0 && waiting == were ? full + 1 : 0;
+    }
+    for (int i = 0; i < 10; ++i, pause()) ::kill(writer.id(), SIGUSR1);
+    std::string part(10000, ' ');
+    siginfo_t ended{};
+    while (read.size() < text.size() && !is_late()) {
+      const ssize_t size = ::read(end, part.data(), part.size());
+      if (size > 0) read.append(part, 0, static_cast<std::size_t>(size));
+      else if (ended.si_pid != 0) break;  // and the pipe is empty
+      else ::waitid(P_PID, static_cast<id_t>(writer.id()), &ended, WEXITED | WNOHANG | WNOWAIT);
+    }
+    is_done = read.size() == text.size() && writer.wait();
+  }
+  ::sigaction(SIGUSR1, &before, nullptr);
+  ::close(end);
+  return {is_done && read == text, 1, std::to_string(read.size()) + " bytes read"};
+}
+
 }  // namespace
 
 PROPTEST(write_whole) {
   t.example("devices and pipes take what is written and stay; what a link leads to is written, and the link stays", {},
             devices_pipes_and_links);
+  t.example("a writer that signals interrupt goes on where it was", {}, interrupted_by_signals);
   t.example("a file's bytes are on the disk before its name is, and its name when writing ends", {}, [] {
     const TemporaryFolder folder;
     std::string order;

@@ -123,7 +123,33 @@ void slerps_move_within_the_bounds(Suite& t) {
           });
 }
 
+// p or q turns at a speed of 1, out of the plane of both or at an angle to it, and is at a right angle to the other one.
+Checked check_slerps_across_a_right_angle() {
+  using J = oracle::Jet<M>;
+  long tried = 0;
+  for (const Rational& share : {Rational(1, 1000), Rational(1, 10), Rational(1, 3), Rational(1, 2), Rational(2, 3), Rational(1)})
+    for (const auto& [beside, across] : {std::pair(Rational(0), Rational(1)), {Rational(3, 5), Rational(4, 5)}})
+      for (const bool is_first : {true, false}) {
+        const J zero(M(0)), one(M(1));
+        const Vec<J, 4> moving{one, J(M(0), lift<M>(beside), M(0)), J(M(0), lift<M>(across), M(0)), zero},
+            held{zero, one, zero, zero};
+        const J weight(lift<M>(is_first ? Rational(1 - share) : share));
+        const auto moment = oracle::moment_of<M, 4>(oracle::slerp<J>(is_first ? moving : held, is_first ? held : moving, weight));
+        const Motion<M> bound =
+            slerp_by_time<M>({M(1), M(1), M(1)}, M(0), lift<M>(share), lift<M>(Rational(share * (1 - share))));
+        ++tried;
+        if (less_equal(squared_norm(moment.velocity), M(sq(bound.speed) + M(1e-40))) != Verdict::holds)
+          return Checked(false, tried, "the share " + as_text(share) + " is faster");
+        // And little more: by sin(pi/2 m) against pi/2 m at most.
+        if (beside == 0 && less(sq(bound.speed), M(squared_norm(moment.velocity) * M(1.35))) != Verdict::holds)
+          return Checked(false, tried, "the share " + as_text(share) + " is slower by far");
+      }
+  return Checked(true, tried);
+}
+
 void longer_slerps_move_within_the_bounds(Suite& t) {
+  t.example("across a right angle a slerp moves as fast as the sine of its share of it, and the bound is little more",
+            {.form = "beyond", .number_type = "multiprecision interval"}, check_slerps_across_a_right_angle);
   t.holds("a slerp that goes a little more than the shorter way moves within the bounds, by sines in intervals",
           {.form = "beyond",
            .number_type = "multiprecision interval",
