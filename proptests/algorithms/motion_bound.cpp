@@ -48,7 +48,7 @@ RigidTransform<double> random_placement(std::mt19937& random) {
 // Some of the joints have their origins elsewhere, so that they are far from the vertices, each by another way.
 void put_joints_far_away(SkinnedMesh& model, std::mt19937& random) {
   std::normal_distribution<double> normal;
-  const double far = std::array{0., 0., 10., 1e3, 1e5, 1e6}[random() % 6];
+  const double far = std::array{0., 0., 10., 1e5, 1e8, 1e12}[random() % 6];
   for (Joint& joint : model.joints)
     if (random() % 3) joint.origin += Point3(normal(random), normal(random), normal(random)) * far;
 }

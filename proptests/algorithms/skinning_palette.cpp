@@ -204,6 +204,22 @@ void vertices_and_data_of_joint_sets(Suite& t) {
           }
         }
       });
+  t.holds("the signs of a pose's quaternions move no vertex, but where joints of a set differ by a half-turn",
+          {.number_type = "double", .cases = 500}, [] {
+            const PosedModel posed = *gen::posed_model();
+            const JointSets sets(posed.mesh);
+            const Skinning skinning = *rc::gen::element(Skinning::spherical, Skinning::dual_quaternion);
+            const auto palette = make_skinning_palette(posed.mesh, sets, posed.pose, skinning);
+            RC_PRE(!has_half_turn(palette));
+            Pose negated = posed.pose;
+            for (auto& c : negated)
+              if (*rc::gen::arbitrary<bool>()) c.rotation = -c.rotation;
+            const auto other = make_skinning_palette(posed.mesh, sets, negated, skinning);
+            RC_ASSERT(worst_difference(skin(posed.mesh, sets, palette, skinning), skin(posed.mesh, sets, other, skinning)) == 0);
+          });
+}
+
+void palettes_that_are_filled_again(Suite& t) {
   t.holds("a palette that is filled again is the one made anew, whatever it held, and stays as it is if the pose is refused",
           {.number_type = "double", .cases = 300, .tags_at_least = {{"affine after affine", 0.1}, {"rigid after affine", 0.1}}},
           [] {
@@ -225,19 +241,6 @@ void vertices_and_data_of_joint_sets(Suite& t) {
               RC_CLASSIFY(was_affine && !is_affine, "rigid after affine");
               was_affine = is_affine;
             }
-          });
-  t.holds("the signs of a pose's quaternions move no vertex, but where joints of a set differ by a half-turn",
-          {.number_type = "double", .cases = 500}, [] {
-            const PosedModel posed = *gen::posed_model();
-            const JointSets sets(posed.mesh);
-            const Skinning skinning = *rc::gen::element(Skinning::spherical, Skinning::dual_quaternion);
-            const auto palette = make_skinning_palette(posed.mesh, sets, posed.pose, skinning);
-            RC_PRE(!has_half_turn(palette));
-            Pose negated = posed.pose;
-            for (auto& c : negated)
-              if (*rc::gen::arbitrary<bool>()) c.rotation = -c.rotation;
-            const auto other = make_skinning_palette(posed.mesh, sets, negated, skinning);
-            RC_ASSERT(worst_difference(skin(posed.mesh, sets, palette, skinning), skin(posed.mesh, sets, other, skinning)) == 0);
           });
 }
 
@@ -418,6 +421,7 @@ void refused_poses(Suite& t) {
 PROPTEST(skinning_palette) {
   consistent_signs_keep_blends_from_vanishing(t);
   vertices_and_data_of_joint_sets(t);
+  palettes_that_are_filled_again(t);
   where_rotation_centers_are(t);
   refused_poses(t);
   affine_roundings(t);
