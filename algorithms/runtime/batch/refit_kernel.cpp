@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/batch/refit_kernel.hpp"
 
+#include <limits>
+
 #include "algorithms/runtime/balls/mean_ball.hpp"
 #include "algorithms/runtime/batch/rotation_bound_packs.hpp"
 #include "algorithms/runtime/packs/by_joint.hpp"
@@ -198,7 +200,7 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
       S radius = of_set[0].radius;
       if (weight_vertices > 1) {
         center = sum * share;
-        radius = S(0);
+        radius = S(-std::numeric_limits<float>::infinity());  // joints that shrink have negative ones
         for (int e = 0; e < block->set_count; ++e) {
           const int m = all.sets[block->first_set + e].weight_vertex_count;
           const std::span<const Vec<S, 3>> centers(of_set[e].center, m);
@@ -245,7 +247,7 @@ REFITLAB_KERNEL void merge_nodes(const MergedNode* nodes, int node_count, const 
     for (int k = 1; k < node->weight_vertex_count; ++k) sum += own[k];
     const float share = 1 / static_cast<float>(node->weight_vertex_count);
     const float center[3] = {sum[0] * share, sum[1] * share, sum[2] * share};
-    PackOfFour radius = 0;
+    PackOfFour radius = -std::numeric_limits<float>::infinity();  // joints that shrink have negative ones
     for (int k = 0; k < node->weight_vertex_count; k += 4) {
       Row<float, 4> rows[4] = {own[k], own[k + 1], own[k + 2], own[k + 3]};
       transpose(rows);
