@@ -27,7 +27,7 @@ def of_lemma(lemma, rows):
     statements = [r for r in rows if r.role == "statement"]
     printed = [r for r in statements if r.form == "printed"]
     implied = [r for r in statements if r.form == "implied"]
-    repaired = [r for r in statements if r.form in ("repaired", "beyond") and r.verdict == "holds"]
+    repaired = [r for r in statements if r.form not in ("printed", "implied") and r.verdict == "holds"]
     return Verdict(lemma, any(r.verdict == "TEST FAILED" for r in rows),
                    *(min((r.cases for r in rows if r.verdict == "refuted"), default=0) for rows in (printed, implied)),
                    [r.cases for r in printed if r.verdict == "holds"], [r.cases for r in repaired],
