@@ -55,10 +55,10 @@ def largest_growth(results):
 
 
 def fastest_engine(results, scene):
-    """Of those that find all pairs."""
-    exact = {row.detector for row in results.rows("detectors") if row.tolerated_share == 0}
-    return min(results.values("collision", model="man", scene=scene, query="full", level=ALL, quantity="us_per_frame", origin="engine",
-                              detector=lambda d: d in exact))
+    """Of those that found all pairs."""
+    where = dict(model="man", scene=scene, query="full", level=ALL, origin="engine")
+    exact = {row.variant for row in results.select("collision", quantity="differing_pairs", **where) if row.value == 0}
+    return min(results.values("collision", quantity="us_per_frame", variant=lambda v: v in exact, **where))
 
 
 def pairs_of(results, scene):
