@@ -367,7 +367,8 @@ std::string wrong_of_crossfades(const json& summary, const json& file) {
              "a crossfade's clips: " + said["first"].dump() + " and " + said["second"].dump());
       for (const auto& [clip, other] : {std::pair(first, second), std::pair(second, first)}) {
         const json own = extras(clip), &fades = own["crossfades"];
-        const auto with = std::find_if(fades.begin(), fades.end(), [&](const json& fade) { return fade["animation"] == other; });
+        const auto with =
+            std::find_if(fades.begin(), fades.end(), [other = other](const json& fade) { return fade["animation"] == other; });
         expect(with != fades.end() && (*with)["box"] == said["parts"][0]["box"], "a crossfade in the file");
       }
     }
