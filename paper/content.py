@@ -2,7 +2,7 @@
 """What the paper takes from the tables of results: numbers by name, tables, and the data of plots."""
 import report_package  # noqa: F401
 from formats import broken_name, digits, escaped, long_table, power_of_ten, table, whole_number
-from report import deformations, engines, growth, original, over_time, statements
+from report import collisions, deformations, engines, growth, original, over_time, statements
 from report.statistics import mean, span
 from report.tables import ALL, ResultError
 from report.verdicts import of_lemma, said_of_claims, summed_up
@@ -55,10 +55,10 @@ def largest_growth(results):
 
 
 def fastest_engine(results, scene):
-    """Of those that found all pairs."""
-    where = dict(model="man", scene=scene, query="full", level=ALL, origin="engine")
-    exact = {row.variant for row in results.select("collision", quantity="differing_pairs", **where) if row.value == 0}
-    return min(results.values("collision", quantity="us_per_frame", variant=lambda v: v in exact, **where))
+    found = collisions.fastest_engine(results, "man", scene)
+    if found is None:
+        raise ResultError(f"{results.path('collision')}: no engine found all pairs of two men, {scene}")
+    return found
 
 
 def pairs_of(results, scene):

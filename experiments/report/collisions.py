@@ -12,6 +12,13 @@ COUNTS = ["vertices_skinned", "nodes_refitted", "volume_tests", "triangle_tests"
 TABLE_2 = {"lbs": "linear", "sbs": "spherical_repaired", "bottom_up": "brown"}
 
 
+def fastest_engine(results, model, scene):
+    """Returns the us of a full query by the fastest engine of those that found all pairs, or None if there is none."""
+    where = dict(model=model, scene=scene, query="full", level=ALL, origin="engine")
+    exact = {row.variant for row in results.find("collision", quantity="differing_pairs", **where) if row.value == 0}
+    return min((row.value for row in results.find("collision", quantity="us_per_frame", **where) if row.variant in exact), default=None)
+
+
 class Model:
     """A Model has the rows of one model."""
 
@@ -67,11 +74,7 @@ class Model:
         return [found[level] for level in sorted(found)]
 
     def fastest_engine(self, scene):
-        """Of those that find all pairs."""
-        exact = {row.detector for row in self.results.rows("detectors") if row.tolerated_share == 0}
-        times = [row.value for key, row in self._found.items()
-                 if key[:2] == (scene, "full") and key[3:] == (ALL, "us_per_frame") and row.origin == "engine" and key[2] in exact]
-        return min(times, default=None)
+        return fastest_engine(self.results, self.model, scene)
 
 
 def headline_section(results, page):
