@@ -36,6 +36,7 @@ boost::program_options::variables_map parse_arguments(const std::vector<std::str
                                                       const boost::program_options::options_description& options,
                                                       const std::vector<std::string>& files);
 
+// Returns the name that --skinning takes.
 const char* name_of(Skinning skinning);
 Skinning skinning_of(const std::string& name);  // throws UsageError
 

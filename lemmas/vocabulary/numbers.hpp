@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every lemma and every refit may ask this of its number type S.
+// Here is what a lemma or a refit may ask of its number type S.
 //
 // Each statement is one template over S. The same source then runs in float and double (an answer, no claim),
 // in interval arithmetic (holds / fails / undecided) and in exact arithmetic (decides). Only + - * / and sqrt are

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices in any pose whatever are in a ball about a joint, which follows from bone lengths and scales alone (c8_any_pose).
+// However the nodes are turned, vertices are in a ball about a joint, which follows from bone lengths and scales alone (c8_any_pose).
 #pragma once
 
 #include <optional>

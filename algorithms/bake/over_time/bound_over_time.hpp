@@ -42,7 +42,7 @@ struct BoundOverTime {
   std::vector<ProvenInterval> slab_intervals, ball_intervals;
   double farthest_image = 0;  // of the vertices by their joints (MovingVertices::farthest_image); units of the file
   int moments = 0;            // at which the vertices were skinned
-  double gap = 0;             // what slabs are wider than moments have seen, at most; units of the file
+  double gap = 0;             // the most by which a slab is wider than the vertices that were seen at moments; units of the file
 };
 
 // Returns bounds that hold for all that any of these joints, at least one, can do. Throws std::invalid_argument for a tolerance

@@ -76,7 +76,7 @@ struct ModelBoundsOptions {
   // Bounds are wider by this share of the distance of a vertex's images by its joints from the scene's origin, because a renderer skins
   // in float and is off by as much.
   double renderer_rounding = 0x1p-19;
-  // It is told the share that is done, by any thread, but one at a time.
+  // This is called with the share that is done, from any thread, one call at a time.
   std::function<void(double)> progress = {};
 };
 

@@ -24,7 +24,7 @@ struct CellSlack {
   std::vector<double> beyond = {};  // by position in vertices(), where a linear blend is followed
 };
 
-// Whether the slack of a cell may be infinite, because another cell will do, or must be finite, however loose it is.
+// Finite says whether the slack of a cell may be infinite, because another cell will do, or must be finite, however loose it is.
 enum class Finite { may_be, must_be };
 
 class MovingVertices {
@@ -46,8 +46,8 @@ class MovingVertices {
   // Throws ModelError if it must but there is no bound, which happens for a blend of three or more rotations that may vanish.
   CellSlack slack(const JointCell& cell, Finite finite) const;
 
-  // Returns how far what is summed up for a vertex is from the scene's origin at any moment of the cell, at most: its images by its
-  // joints, even if most of them cancel.
+  // Returns the greatest distance from the scene's origin, at any moment of the cell, of any image of a vertex by one of its joints. Rounding
+  // errors of a blend are relative to it, even if the images mostly cancel.
   double farthest_image(const JointCell& cell) const;
 
   // Returns the greatest number of joints of a vertex.

@@ -16,9 +16,7 @@ class Polytope {
   // Makes {x : (x, normal) >= offset for every half-space}. All of it is within this distance of the origin, and it is not empty.
   // The normals' squared lengths are between 1 and 3, and no two half-spaces have the same. S is ordered, as a floating-point or
   // an exact type is.
-  Polytope(std::vector<HalfSpace<S, 3>> half_spaces, const S& reach)
-      : half_spaces_(std::move(half_spaces)),
-        motion_bound_(reach) {}
+  Polytope(std::vector<HalfSpace<S, 3>> half_spaces, const S& reach) : half_spaces_(std::move(half_spaces)), reach_(reach) {}
 
   // Returns the sum of the pyramids from the origin over all faces, which is 0 for a flat polytope. It is most accurate near the
   // origin, as distance costs digits.
@@ -62,7 +60,7 @@ class Polytope {
     Point axis(S(0), S(0), S(0));
     axis[least] = S(1);
     const Point foot = n * S(face.offset / squared_norm(n));
-    const Point u = cross<S>(n, axis) * S(S(2) * motion_bound_), v = cross<S>(n, u);
+    const Point u = cross<S>(n, axis) * S(S(2) * reach_), v = cross<S>(n, u);
     return {foot + u, foot + v, foot - u, foot - v};
   }
 
@@ -80,7 +78,7 @@ class Polytope {
   }
 
   std::vector<HalfSpace<S, 3>> half_spaces_;
-  S motion_bound_;
+  S reach_;
 };
 
 }  // namespace refitlab

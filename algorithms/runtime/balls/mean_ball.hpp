@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The mean ball is centered at the mean of the centers, with the smallest radius that encloses all (paper 4.4, the BOUNDINGSPHERE
-// of Algorithm 1 [James and Pai 2004]).
+// of Algorithm 1 [James and Pai 2004]). In float and double the ball may miss some by rounding; rounded_up (round_up.hpp) makes up
+// for that.
 #pragma once
 
 #include <span>
@@ -23,9 +24,9 @@ S farthest_squared_distance(const Vec<S, D>& center, std::span<const Vec<S, D>> 
   return far;
 }
 
-// Returns the mean ball of m points, m > 0. The radius is at most max(2 - 2/m, 1) times the smallest ball's [with that ball [0,
-// R], ||p_j - mean|| <= (1 - 1/m) ||p_j|| + sum over the others of ||p_i|| / m <= (2 - 2/m) R], and reaches this bound if one
-// point is x and all others are -x.
+// Returns the mean ball of m points, m > 0. The radius is at most max(2 - 2/m, 1) times the smallest ball's. Proof:
+// let the smallest ball be [0, R]. Then ||p_j - mean|| <= (1 - 1/m) ||p_j|| + sum over the others of ||p_i|| / m <= (2 - 2/m) R.
+// It reaches this bound if one point is x and all others are -x.
 template <class S, int D>
 Ball<S, D> mean_ball(std::span<const Vec<S, D>> points) {
   const Vec<S, D> center = mean_center(points);

@@ -50,9 +50,9 @@ S along(const Vec<S, 3>& x) {
   return sum;
 }
 
-// Returns the same for a k known at run time, which is one of dop_sizes.
 inline constexpr std::array<int, 4> dop_sizes = {6, 14, 18, 26};
 constexpr bool is_dop_size(int k) { return std::find(dop_sizes.begin(), dop_sizes.end(), k) != dop_sizes.end(); }
+// Returns slab_directions<k>() for a k that is known at run time and one of dop_sizes.
 inline std::span<const SlabDirection> slab_directions(int k) {
   static constexpr auto of_14 = slab_directions<14>();
   static constexpr auto of_18 = slab_directions<18>();

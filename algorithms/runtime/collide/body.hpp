@@ -31,8 +31,7 @@ class Body {
   void begin(const AffinePose& pose, const std::vector<double>& weights = {});
 
   const Character& character() const { return character_; }
-  // These throw std::logic_error before the first frame.
-  // Returns the ball of a node, in model space of this frame.
+  // Returns the ball of a node, in model space of this frame. Throws std::logic_error before the first frame, as triangle() does.
   const Ball3<double>& ball(int node) { return balls_[node]; }
   // Returns the skinned vertices of a triangle, in model space of this frame. They are the very doubles that skin() yields.
   TrianglePoints triangle(int triangle);

@@ -20,8 +20,8 @@ class ClusterBody {
   // Starts a frame, of which nothing is computed yet. placement takes model space to the world. A deformation is that of this frame;
   // then nodes are bounded by balls, with the pieces of the default variant, and all skinning is in double. Throws ModelError for a
   // pose that make_skinning_palette refuses and for a deformation that check_deformation refuses, and std::invalid_argument for a
-  // placement that is not rigid, and for a deformation of a character that was baked without those pieces. The frame before then goes
-  // on.
+  // placement that is not rigid, and for a deformation of a character that was baked without those pieces. If it throws, the body is
+  // still in the frame before.
   void begin(const Pose& pose, const RigidTransform<double>& placement, const Deformation& deformation = {});
   // Starts a frame of affine joints, and of morph targets if there are weights. Linear skinning blends these transforms; other
   // skinning has two phases of them (split, in runtime/skinning/deformation.hpp). Throws the same.
@@ -29,7 +29,8 @@ class ClusterBody {
 
   const ClusterTree& tree() const { return tree_; }
 
-  // All that makes something throws std::logic_error before the first frame.
+  // The functions below that return boxes or clusters, and skin_all(), throw std::logic_error before the first frame.
+
   // Returns a box in the world around the whole body, made from the joints alone; see MotionBound. With a deformation, it is around the
   // root's ball, which has all triangles.
   const Box<double>& motion_bound() {

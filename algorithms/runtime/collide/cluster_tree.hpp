@@ -48,9 +48,8 @@ class ClusterTree {
   explicit ClusterTree(const Character& character, const ClusterOptions& options = {});
 
   const Character& character() const { return *character_; }
-  const std::vector<WideNode>& wide_nodes() const {
-    return wide_nodes_;
-  }  // the root's first; its children are wide nodes with larger indices
+  // Returns the wide nodes, the root first. The children of one come after it.
+  const std::vector<WideNode>& wide_nodes() const { return wide_nodes_; }
   const WideNodeChild& child(int wide_node, int i) const { return children_[wide_nodes_[wide_node].first_child + i]; }
   const std::vector<Cluster>& clusters() const { return clusters_; }
   const PackedVertices& vertices() const { return vertices_; }  // a group for each cluster

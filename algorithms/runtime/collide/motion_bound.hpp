@@ -19,7 +19,7 @@ namespace refitlab {
 
 class MotionBound {
  public:
-  // model and sets must outlive this.
+  // mesh and sets must outlive this.
   MotionBound(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning);
 
   // Returns a box in the world around everything that apply(placement, skin()) yields. pose and placement must be rigid, as

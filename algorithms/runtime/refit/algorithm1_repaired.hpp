@@ -28,6 +28,8 @@ RotationBound<S> bound_joint_set_rotations(const RefitNode<S>& node, const NodeP
   return bound_rotations(points, Policy::template center_of_points<S, 4>(points));
 }
 
+// Returns a ball around the node's vertices as its palette skins them, in model space, without a slack for rounding. Policy makes
+// the enclosing balls (ball_policy.hpp). lists is kept between calls.
 template <class Policy, class S>
 Ball3<S> refit_algorithm1_repaired(const RefitNode<S>& node, RefitLists<S>& lists) {
   lists.balls.clear();

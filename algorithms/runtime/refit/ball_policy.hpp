@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // These are the policies for BOUNDINGSPHERE, the subroutine of Algorithm 1 in which the variants differ. They make mean balls, as
-// printed, or smallest balls.
+// printed, smallest balls, or balls that are nearly the smallest.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Blend skinning is a rational Bezier simplex in the weights, and the hull of its control points holds all of it. This makes
-// control balls.
+// Blend skinning is a rational Bezier simplex in the weights, and the hull of its control points holds every blend. Here the
+// simplices of a piece are halved until their control points are near, and become balls.
 //
 // Let q'_k and r'_k be the quaternion and the image of the rotation center at weight vertex k of a piece, and let x = p -
 // r_c. The control points N_jkl / W_jkl are those of b1_rational_bezier_simplex, of degree 3.
@@ -25,7 +25,7 @@ namespace refitlab {
 inline constexpr int most_halvings = 4;  // in a row: 16 sub-simplices at most
 
 // Blend is the blend of one piece. It has the types Number and WeightVertex; a WeightVertex is the data at a weight vertex,
-// and its rotation is a quaternion. mix(a, b) makes the values above for two weight vertices, and
+// and its rotation is a quaternion. mix(a, b) makes N and W of two weight vertices, and
 // middle(a, b) the weight vertex half-way. near is a constant: weight vertices are near if (q'_k, q'_l) > 0 and its
 // square times near is above ||q'_k||^2 ||q'_l||^2. For a given simplex, emit (for near weight vertices) and fall_back
 // (for others) append balls to lists.cap.balls.

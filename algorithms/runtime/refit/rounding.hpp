@@ -11,8 +11,8 @@
 namespace refitlab {
 
 // Returns how far vertices of the node may be outside the hull of the control balls of its pieces, all computed in S. This
-// holds for vertices skinned exactly and for those of skin(). It is not for Skinning::hejl: its poses are bounded as
-// spherical.
+// holds for vertices skinned exactly and for those of skin(). For Skinning::hejl, which bounds as
+// spherical skinning does, skinning is Skinning::spherical.
 template <Skinning skinning, class S>
 S rounding_of_pieces(const RefitNode<S>& node) {
   const Vec<S, 3>& p = node.reference.center;

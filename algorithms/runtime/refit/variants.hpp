@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// These refits are proved to enclose, and have names. They share one interface: each node is refitted by itself, in any order,
-// and the cost does not grow with the mesh (`mixed` variants skin a node's few vertices).
+// Here are the refit variants that are proved to enclose their vertices, by name. They share one interface: each node is refitted
+// by itself, in any order, and the cost does not grow with the mesh (`mixed` variants skin a node's few vertices).
 #pragma once
 
 #include <string>
@@ -13,6 +13,7 @@ namespace refitlab {
 // Computes the ball of one node in the pose of node.palette. It is thread-safe.
 using Refit = Ball3<double> (*)(const RefitNode<double>& node);
 
+// A RefitVariant is a refit with its name, and what it needs and bounds.
 struct RefitVariant {
   std::string name;         // as in result files: snake_case, fixed
   std::string description;  // one line for tables and reports
@@ -26,11 +27,12 @@ struct RefitVariant {
   Refit refit_as_computed;
 };
 
+// Returns all of them.
 const std::vector<RefitVariant>& refit_variants();
 
 // Returns the variant to use unless there is a reason for another. It costs about as much as Algorithm 1: most nodes hold so
-// few vertices that skinning these costs less than bounding them, and their ball is known from the vertices that touched it
-// in the reference pose. On the experiments' characters it is within a tenth of the smallest ball on average, and it is
+// few vertices that skinning these costs less than bounding them. The ball of such a node is first made around the vertices that
+// touched it in the reference pose, and mostly encloses the others. On the experiments' characters it is within a tenth of the smallest ball on average, and it is
 // exact at the leaves.
 const RefitVariant& default_variant(Skinning skinning);
 
@@ -38,7 +40,7 @@ const RefitVariant& default_variant(Skinning skinning);
 const RefitVariant& refit_variant(const std::string& name);
 const RefitVariant& variant_named(const std::string& name, const std::vector<RefitVariant>& variants);
 
-// Throws std::invalid_argument for a palette that is not measured, or is one of affine joints unless the variant's skinning is linear.
+// Throws std::invalid_argument for a palette that make_skinning_palette did not make, or that is one of affine joints unless the variant's skinning is linear.
 void check_palette(const SkinningPalette<double>& palette, const RefitVariant& variant);
 
 // Returns the balls of all nodes. character must have the variant's pieces. Throws what check_palette throws.

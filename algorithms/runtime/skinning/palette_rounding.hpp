@@ -93,7 +93,7 @@ S stretch_of(const AffineMap<S>& map) {
 
 // Measures the scales. Let d be the least ||q_i||^2, and c the least (q_i, q_j) of all pairs, or d if that is less. Then
 //   ||sum w_i q_i||^2 >= d sum w_i^2 + c (1 - sum w_i^2) >= c + (d - c) / n.
-// Shorter blends than least_squared_length allows are none of weight vertices. Between such that are 60 degrees apart at most, and in caps of
+// Blends at weight vertices are no shorter than least_squared_length says. Between such that are 60 degrees apart at most, and in caps of
 // up to 45 degrees, they are shorter by sqrt(1/2) at most.
 template <class S>
 PaletteScales<S> measure_palette(std::span<const RigidTransform<S>> transforms, std::span<const Vec<S, 3>> center_images) {

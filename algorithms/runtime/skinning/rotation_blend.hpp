@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How an engine blends the rotations of two clips while one fades to the other (lemmas/c7_crossfade.hpp).
+// A RotationBlend says how an engine blends the rotations of two clips while one fades to the other (lemmas/c7_crossfade.hpp).
 #pragma once
 
 namespace refitlab {
 
-// By the shorter way at even speed (slerp), or linearly and then normalised (nlerp).
+// slerp goes the shorter way at even speed; nlerp blends linearly and then normalises.
 enum class RotationBlend { slerp, nlerp };
 
 }  // namespace refitlab

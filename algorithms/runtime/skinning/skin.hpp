@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Skinning of a whole model: it computes the deformed vertices of a pose.
+// skin() computes the deformed vertices of a whole model in a pose.
 #pragma once
 
 #include "algorithms/runtime/skinning/deformation.hpp"
@@ -12,7 +12,8 @@ namespace refitlab {
 std::vector<Point3> skin(const SkinnedMesh& mesh, const JointSets& sets, const SkinningPalette<double>& palette,
                          Skinning skinning, const Deformation& deformation = {});
 
-// Returns the vertices of the reference pose as the deformation leaves them.
+// Returns the vertices of the reference pose as the deformation leaves them. Throws ModelError for a deformation that check_deformation
+// refuses.
 std::vector<Point3> deformed_vertices(const SkinnedMesh& mesh, const JointSets& sets, const Deformation& deformation);
 
 }  // namespace refitlab

@@ -16,6 +16,7 @@
 
 namespace refitlab {
 
+// Returns the character in this format.
 std::string bytes_of(const Character& character);
 
 // file is for error messages. Throws ModelError for bytes that are no such file, have another version, end early, or do not

@@ -63,6 +63,7 @@ struct ClusterBounds {
   std::vector<Crossfade> crossfades = {};
 };
 
+// Returns the bounds in this format.
 std::string bytes_of(const ClusterBounds& bounds);
 
 // file is for error messages. Throws ModelError for bytes that are no such list, end early, have another checksum, or have
