@@ -38,12 +38,29 @@ def total(results, file, **where):
     return sum(results.values(file, **where))
 
 
+def is_sound(results):
+    """Says of a variant whether it is a refit whose balls hold all vertices."""
+    sound = {row.variant for row in results.rows("variants") if row.role == "refit" and row.sound == "yes"}
+    return lambda variant: variant in sound
+
+
 def cost_ratios(results, variant):
     return results.values("speed", variant=variant, quantity="ratio_to_repaired", level=ALL)
 
 
 def time_of(results, scene, detector, query="full", quantity="us_per_frame"):
     return results.number("collision", model="man", scene=scene, query=query, variant=detector, level=ALL, quantity=quantity)
+
+
+def times_of_ours(results, scene, ratio):
+    """Returns how many times the time of our query another detector takes in the scene, by the ratio of ours to it in the same repetitions."""
+    return 1 / time_of(results, scene, "clusters", quantity=ratio)
+
+
+def gain_without(results, scene, detector):
+    """Returns how many times as fast a detector would be if its query alone took any time. All of its stages are of the same passes."""
+    stages = [time_of(results, scene, detector, quantity=f"{stage}_us") for stage in collisions.STAGES]
+    return sum(stages) / stages[-1]
 
 
 def grown_time(results, triangles, scene, detector):
@@ -80,7 +97,7 @@ def upper_cost_ratios(results, variant):
 
 def query_ratios(results):
     """Of whole queries with the default refit over those with Algorithm 1 repaired, in all scenes of the man."""
-    return [time_of(results, scene, "control_mixed") / time_of(results, scene, "spherical_repaired") for scene in SCENES]
+    return [time_of(results, scene, "control_mixed", quantity="ratio_to_repaired") for scene in SCENES]
 
 
 def batch_gains(results):
@@ -98,17 +115,15 @@ def numbers(results, root):
     out["twist.control_mixed"] = digits(worst_ratio(results, "control_mixed", "twist"))
     for variant in ["control_mixed", "control_many_pieces", "linear"]:
         out[f"cost.{variant}.least"], out[f"cost.{variant}.most"] = (digits(v, 2) for v in span(cost_ratios(results, variant)))
-    sound = [*SPHERICAL, "linear", "linear_mixed", "dual_quaternion_mixed"]
-    out["sound.misses"] = whole_number(total(results, "tightness", quantity="misses", variant=lambda v: v in sound))
-    out["sound.balls"] = whole_number(total(results, "tightness", quantity="nodes", variant=lambda v: v in sound))
+    for name, quantity in [("misses", "misses"), ("balls", "nodes")]:
+        out[f"sound.{name}"] = whole_number(total(results, "tightness", quantity=quantity, variant=is_sound(results)))
     out["volumes.misses"] = whole_number(total(results, "volumes", quantity="misses"))
     out["spheres.least"], out["spheres.most"] = (digits(v, 2) for v in span(fewer_spheres(results)))
     out["default.query.least"], out["default.query.most"] = (digits(v, 2) for v in span(query_ratios(results)))
     out["batch.least"], out["batch.most"] = (digits(v, 2) for v in span(batch_gains(results)))
     for scene in SCENES:
-        out[f"engine.{scene}"] = digits(fastest_engine(results, scene) / time_of(results, scene, "clusters"), 2)
-        out[f"skinall.{scene}"] = digits(time_of(results, scene, "skin_all_float") / time_of(results, scene, "clusters"), 2)
-        out[f"repaired.{scene}"] = digits(time_of(results, scene, "spherical_repaired") / time_of(results, scene, "clusters"), 2)
+        for name in ("engine", "skin_all", "repaired"):
+            out[f"{name.replace('_', '')}.{scene}"] = digits(times_of_ours(results, scene, f"ratio_to_{name}"), 2)
     most = largest_growth(results)
     out["growth.triangles"] = whole_number(most)
     for scene in CLOSE_SCENES:
@@ -152,8 +167,7 @@ def numbers(results, root):
             continue
         out[f"deformed.worst.{goal['name']}"], out[f"deformed.reached.{goal['name']}"] = f"{goal['worst']:.2f}", whole_number(goal["reached"])
     out["deformed.cases"] = whole_number(deformations.goals(results)[0]["cases"])
-    ratios = [row["changing"] for row in deformations.costs(results)]
-    out["deformed.cost.least"], out["deformed.cost.most"] = digits(min(ratios), 2), digits(max(ratios), 2)
+    out["deformed.cost.least"], out["deformed.cost.most"] = (digits(v, 2) for v in span(deformations.cost_ratios(results)))
     for name, variant, balls in (("bdtree", "spherical_repaired", "bd_tree"), ("default", "control_mixed", "smallest")):
         out[f"reduced.skinned.{name}"] = f"{deformations.worst(results, kind='vibration_skinned', variant=variant, displacements=balls):.2f}"
     out["reduced.cost"] = digits(deformations.cost_to_bd_tree(results, "vibration", "control_mixed", "smallest"), 2)
