@@ -123,7 +123,7 @@ def section(results, page):
     if not rows:  # models without clips
         return None
     first = rows[0]["model"]
-    facts = [{"model": m, **{q: round(results.number("deformations", model=m, kind="model", quantity=q)) for q in ("vertices", "joints", "targets")}} for m in models_of(results, "own")]
+    facts = [{"model": m, **{q: round(results.number("deformations", model=m, kind="model", quantity=q)) for q in ("joints", "targets")}} for m in models_of(results, "own")]
     tables = [table for kind in REDUCED_KINDS if (table := reduced_table(results, kind))]
     return {"rows": rows, "variants": VARIANTS, "goals": goals(results), "costs": costs(results), "facts": facts, "reduced": tables,
             "misses": misses(results), "balls": balls(results), "plot": plot(results, first),
