@@ -63,8 +63,14 @@ def gain_without(results, scene, detector):
     return sum(stages) / stages[-1]
 
 
-def grown_time(results, triangles, scene, detector):
-    return results.number("triangle_growth", triangles=triangles, pose=scene, variant=detector, quantity="us_per_frame")
+def grown(results, triangles, scene, detector, quantity="us_per_frame"):
+    """Returns a quantity of two men whose meshes have so many triangles."""
+    return results.number("triangle_growth", triangles=triangles, pose=scene, variant=detector, quantity=quantity)
+
+
+def grown_gain(results, scene):
+    """Returns how many times the time of our query Embree's takes with the finest meshes, by the ratio in the same repetitions."""
+    return 1 / grown(results, largest_growth(results), scene, "clusters", "ratio_to_engine")
 
 
 def largest_growth(results):
@@ -127,8 +133,7 @@ def numbers(results, root):
     most = largest_growth(results)
     out["growth.triangles"] = whole_number(most)
     for scene in CLOSE_SCENES:
-        out[f"growth.engine.{scene}"] = digits(
-            grown_time(results, most, scene, "embree") / grown_time(results, most, scene, "clusters"), 2)
+        out[f"growth.engine.{scene}"] = digits(grown_gain(results, scene), 2)
     for detector in ["clusters", "skin_all_float", "embree"]:
         for scene in CLOSE_SCENES:
             out[f"exponent.{detector}.{scene}"] = f"${digits(growth.triangle_exponent(results, scene, detector), 2)}$"
@@ -277,32 +282,41 @@ def collision_table(results):
     return table("l" + "r" * len(SCENES), ["\\textmu s a frame", *SCENES], rows)
 
 
-def over_time_table(results):
-    """Linear skinning."""
+def out_of_bounds(results, number, percent):
+    """Returns, by way of bounding, the cells of a row: the characters and the clusters that get out with linear skinning, each with how far at most.
+    number makes a text of a count, and percent stands after a share."""
     clips = len(results.select("over_time", skinning="linear", quantity="duration"))
     clusters = over_time.clusters_of_clips(results, "linear")
     rows = []
     for way in over_time.WAYS:
         found = over_time.misses(results, "linear", way)
-        cells = [f"{found['clips']} of {clips}", found["whole"], f"{whole_number(found['clusters'])} of {whole_number(clusters)}", found["cluster"]]
-        rows.append([found["way"], *(c if isinstance(c, str) else "" if c is None else f"{100 * c.value:.2g}\\,\\%" for c in cells)])
-    return table("lrrrr", ["", "characters out", "by", "clusters out", "by"], rows)
+        whole, cluster = (f"{100 * row.value:.2g}{percent}" if row else "" for row in (found["whole"], found["cluster"]))
+        rows.append([found["way"], f"{found['clips']} of {clips}", whole, f"{number(found['clusters'])} of {number(clusters)}", cluster])
+    return rows
+
+
+def over_time_table(results):
+    return table("lrrrr", ["", "characters out", "by", "clusters out", "by"], out_of_bounds(results, whole_number, "\\,\\%"))
+
+
+def engine_rows(results, number, cost_digits):
+    """Returns, by method that was measured, what it does, who has it, and the cells of its row: the volume with linear skinning, the poses missed with each
+    skinning, and the cost. number makes a text of a count, and cost_digits says how many digits a cost has."""
+    rows = []
+    for method in engines.METHODS:
+        of = {skinning: engines.row_of(results, method, skinning) for skinning in over_time.SKINNINGS}
+        if not of["linear"]:
+            continue
+        volume, cost = of["linear"]["volume_ratio"], engines.costs(results, method)["ratio"]
+        cells = ["" if volume is None else f"{volume:.2f}", *(number(row["misses"]) if row else "" for row in of.values()),
+                 "" if cost is None else digits(cost, cost_digits(cost))]
+        rows.append((of["linear"]["method"].replace("’", "'"), of["linear"]["who"], cells))
+    return rows
 
 
 def engines_table(results):
     """Linear skinning, clips; and the poses missed with all skinnings, where the method is for them."""
-    rows = []
-    for method in engines.METHODS:
-        row = engines.row_of(results, method, "linear")
-        if not row:
-            continue
-        missed = []
-        for skinning in over_time.SKINNINGS:
-            other = engines.row_of(results, method, skinning)
-            missed.append(whole_number(other["misses"]) if other else "")
-        name = escaped(row["method"].replace("’", "'") + (f" ({row['who']})" if row["who"] else ""))
-        cost = engines.costs(results, method)["ratio"]
-        rows.append([name, "" if row["volume_ratio"] is None else f"{row['volume_ratio']:.2f}", *missed, "" if cost is None else digits(cost, 2)])
+    rows = [[escaped(does + (f" ({who})" if who else "")), *cells] for does, who, cells in engine_rows(results, whole_number, lambda cost: 2)]
     head = ["", "volume", *over_time.SKINNINGS.values(), "cost"]
     return table("p{62mm}" + "r" * (len(head) - 1), head, rows)
 
@@ -373,7 +387,7 @@ def growth_plot(results, scene):
     detectors = ["clusters", "spherical_repaired", "control_mixed_through_descendants", "skin_all_float", "embree"]
     sizes = sorted(results.distinct("triangle_growth", "triangles"))
     lines = ["triangles " + " ".join(detectors)]
-    lines += [f"{n} " + " ".join(str(grown_time(results, n, scene, d)) for d in detectors) for n in sizes]
+    lines += [f"{n} " + " ".join(str(grown(results, n, scene, d)) for d in detectors) for n in sizes]
     return "\n".join(lines) + "\n"
 
 

@@ -56,7 +56,7 @@ def queries_block(results):
     for name, detector in [("`collide(ClusterBody, …)` with a `PairMemory`", "clusters"), ("the same without it", "clusters_without_memory"), ("skin everything in float, boxes bottom-up", "skin_all_float"),
                            ("the fastest of Embree, FCL and Bullet, of those that find all pairs", None), ("sphere tree on demand, Algorithm 1 repaired", "spherical_repaired")]:
         times = [content.time_of(results, s, detector) if detector else content.fastest_engine(results, s) for s in scenes]
-        times += [content.grown_time(results, most, s, detector or "embree") for s in content.GROWN_SCENES]
+        times += [content.grown(results, most, s, detector or "embree") for s in content.GROWN_SCENES]
         rows.append(f"| {name} | " + " | ".join(digits(t, 3 if t >= 100 else 2).replace("{,}", ",") for t in times) + " |")
     heads = [s if s in ("far", "near") else f"{s}, {content.pairs_of(results, s):.0f} pairs" for s in scenes]
     heads += [f"{s}, {most:,} triangles each" for s in content.GROWN_SCENES]
@@ -78,12 +78,8 @@ around the whole character, such as our motion bound: the third row then takes {
 
 def over_time_block(results):
     commit = commit_of(results, "over_time", "over_time_growth")
-    clips, clusters = len(results.select("over_time", skinning="linear", quantity="duration")), over_time.clusters_of_clips(results, "linear")
-    rows = []
-    for way in over_time.WAYS:
-        found = over_time.misses(results, "linear", way)
-        by = [f"{100 * row.value:.2g} %" if row else "" for row in (found["whole"], found["cluster"])]
-        rows.append(f"| {found['way']} | {found['clips']} of {clips} | {by[0]} | {found['clusters']} of {clusters:.0f} | {by[1]} |")
+    clips = len(results.select("over_time", skinning="linear", quantity="duration"))
+    rows = [f"| {' | '.join(cells)} |" for cells in content.out_of_bounds(results, "{:.0f}".format, " %")]
     misses = sum(over_time.total(results, q) for q in ("whole_missed", "clusters_missed", "exact_misses"))
     undecided = over_time.total(results, "exact_undecided")
     unknown = f", and of {undecided} that were placed with many digits these are too few to tell" if undecided else ""
@@ -105,17 +101,11 @@ Bounding {triangles:,} triangles takes {bounding:.0f} MB of memory; writing the 
 """
 
 
-def row_of_engines(results, method):
-    of = {s: engines.row_of(results, method, s) for s in over_time.SKINNINGS}
-    one, cost = of["linear"], engines.costs(results, method)["ratio"]
-    missed = [str(of[s]["misses"]) if of[s] else "" for s in over_time.SKINNINGS]
-    return " | ".join([one["method"].replace("’", "'"), one["who"], f"{one['volume_ratio']:.2f}", *missed, digits(cost, 3 if cost < 100 else 2).replace("{,}", ",") if cost else ""])
-
-
 def engines_block(results):
     commit = commit_of(results, "engines")
     volume, cost, goals = engines.volume_goal(results), engines.costs(results, engines.OURS), engines.GOALS
-    methods = [method for method in engines.METHODS if engines.row_of(results, method, "linear")]
+    rows = ["| " + " | ".join([does, who, *cells]).replace("{,}", ",") + " |"
+            for does, who, cells in content.engine_rows(results, "{:.0f}".format, lambda cost: 3 if cost < 100 else 2)]
     reference = engines.row_of(results, "joint_boxes", "linear")
     twisted = {s: engines.row_of(results, engines.OURS, s)["twists"] for s in over_time.SKINNINGS}
     undecided = round(sum(row.value for row in results.find("engines", quantity="undecided")))
@@ -130,7 +120,7 @@ of skinning, in which a vertex is outside; where double precision cannot tell, {
 
 | box | as in | volume | linear | dual quaternion | spherical | cost |
 |---|---|---|---|---|---|---|
-""" + "\n".join(f"| {row_of_engines(results, method)} |" for method in methods) + f"""
+""" + "\n".join(rows) + f"""
 
 Rounded boxes should have at most {goals['volume']} of the volume of joint boxes on average, at most at their cost. They have {volume['mean']:.3f}, {'as they should' if volume['mean'] <= goals['volume'] else 'more than they should'}, where the
 true box has {volume['true']:.3f}; {volume['reached']} of {volume['clips']} clips are within the goal. They are fitted to twelve poses of each of these clips{of_others}. Their cost is {cost['ratio']:.2f} of that of joint boxes from a pose, and {cost['ratio_of_matrices']:.2f} from the matrices that
