@@ -24,7 +24,6 @@
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/resume/resume.hpp"
 #include "experiments/run_file.hpp"
-#include "experiments/speed/balls.hpp"
 #include "experiments/speed/batch.hpp"
 #include "experiments/speed/speed.hpp"
 #include "experiments/tightness/worst_twist.hpp"
@@ -127,7 +126,8 @@ void run_deformations_on(const std::vector<Model>& models, const Options& option
                                               [&] { return run_deformations(model, options.deformations); }));
 }
 
-// Writes each file once all of its rows are there. Until then the file of the last whole run stays.
+// Writes the files of the experiments on rigid models, each once all of its rows are there. Until then the file of the last whole
+// run stays.
 void write_results_by_model(const Options& options, const ModelResults& results, RunFile& result) {
   if (options.wants("tightness")) write_tightness(results.tightness, result("tightness.csv"));
   if (options.wants("speed")) {
@@ -142,7 +142,6 @@ void write_results_by_model(const Options& options, const ModelResults& results,
     write_crossfades(results.crossfades, result("crossfades.csv"));
   }
   if (options.wants("engines")) write_engines(results.engines, result("engines.csv"));
-  if (options.wants("deformations")) write_deformations(results.deformations, result("deformations.csv"));
 }
 
 // RunModels are the models of a run. Only the experiment on deformations takes those that deform.
@@ -195,14 +194,11 @@ void run_without_model(const Options& options, Units& run, RunFile& result) {
                                      [&] { return run_triangle_growth(options.triangles); }),
                           result("triangle_growth.csv"));
   }
-  if (options.wants("speed"))
-    write_ball_speed(resumed_or(run, "ball speed", options.speed, "", [&] { return run_ball_speed(options.speed); }),
-                     result("ball_speed.csv"));
   if (options.wants("synthetic"))
     write_synthetic(resumed_or(run, "synthetic", options.synthetic, "", [&] { return run_synthetic(options.synthetic); }),
                     options.synthetic, result("synthetic.csv"));
   if (options.wants("over_time"))
-    write_over_time_growth(resumed_or(run, "growth of bounds over time", options.over_time_growth, "",
+    write_over_time_growth(resumed_or(run, "growth of bounds over time", options.over_time_growth, identify_baking_program(),
                                       [&] { return run_over_time_growth(options.over_time_growth); }),
                            result("over_time_growth.csv"));
 }
@@ -229,8 +225,7 @@ std::size_t unit_count(const Options& options, std::size_t models, std::size_t d
   std::size_t units = count("tightness", models) + count("speed", 2 * models) + count("volumes", models) +
                       count("rounding", models) + count("collisions", with_collisions) + count("over_time", 2 * models) +
                       count("engines", models) + count("deformations", models + deforming);
-  if (options.wants_no_character())
-    units += count("growth", 3) + count("speed", 1) + count("synthetic", 1) + count("over_time", 1);
+  if (options.wants_no_character()) units += count("growth", 3) + count("synthetic", 1) + count("over_time", 1);
   return units;
 }
 
@@ -278,7 +273,8 @@ int main(int argc, char** argv) try {
     run_on(std::move(models.models[i]), i, models.models.size(), options, run, pictures, results);
   if (pictures.empty()) draw_caps(pictures);
   pictures.write(std::ref(result));
-  if (!models.models.empty() || !deforming.empty()) write_results_by_model(options, results, result);
+  if (!models.models.empty()) write_results_by_model(options, results, result);
+  if (!results.deformations.empty()) write_deformations(results.deformations, result("deformations.csv"));
   if (options.wants_no_character()) run_without_model(options, run, result);
   result.write();
   std::cout << "results: " << options.out << "/results\n";

@@ -25,7 +25,7 @@ namespace refitlab {
 inline constexpr const char* experiments_on_models[] = {"tightness",  "speed",     "volumes", "rounding",
                                                         "collisions", "over_time", "engines", "deformations"};
 // All or a part of these has nothing to do with a model. That part belongs to no character.
-inline constexpr const char* experiments_without_model[] = {"growth", "speed", "synthetic", "over_time"};
+inline constexpr const char* experiments_without_model[] = {"growth", "synthetic", "over_time"};
 inline constexpr const char* no_character = "none";
 
 // The settings are those of a first look unless asked otherwise: all parts, all characters, in some minutes.

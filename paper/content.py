@@ -38,6 +38,12 @@ def total(results, file, **where):
     return sum(results.values(file, **where))
 
 
+def is_sound(results):
+    """Says of a variant whether it is a refit whose balls hold all vertices."""
+    sound = {row.variant for row in results.rows("variants") if row.role == "refit" and row.sound == "yes"}
+    return lambda variant: variant in sound
+
+
 def cost_ratios(results, variant):
     return results.values("speed", variant=variant, quantity="ratio_to_repaired", level=ALL)
 
@@ -46,8 +52,25 @@ def time_of(results, scene, detector, query="full", quantity="us_per_frame"):
     return results.number("collision", model="man", scene=scene, query=query, variant=detector, level=ALL, quantity=quantity)
 
 
-def grown_time(results, triangles, scene, detector):
-    return results.number("triangle_growth", triangles=triangles, pose=scene, variant=detector, quantity="us_per_frame")
+def times_of_ours(results, scene, ratio):
+    """Returns how many times the time of our query another detector takes in the scene, by the ratio of ours to it in the same repetitions."""
+    return 1 / time_of(results, scene, "clusters", quantity=ratio)
+
+
+def gain_without(results, scene, detector):
+    """Returns how many times as fast a detector would be if its query alone took any time. All of its stages are of the same passes."""
+    stages = [time_of(results, scene, detector, quantity=f"{stage}_us") for stage in collisions.STAGES]
+    return sum(stages) / stages[-1]
+
+
+def grown(results, triangles, scene, detector, quantity="us_per_frame"):
+    """Returns a quantity of two men whose meshes have so many triangles."""
+    return results.number("triangle_growth", triangles=triangles, pose=scene, variant=detector, quantity=quantity)
+
+
+def grown_gain(results, scene):
+    """Returns how many times the time of our query Embree's takes with the finest meshes, by the ratio in the same repetitions."""
+    return 1 / grown(results, largest_growth(results), scene, "clusters", "ratio_to_engine")
 
 
 def largest_growth(results):
@@ -80,7 +103,7 @@ def upper_cost_ratios(results, variant):
 
 def query_ratios(results):
     """Of whole queries with the default refit over those with Algorithm 1 repaired, in all scenes of the man."""
-    return [time_of(results, scene, "control_mixed") / time_of(results, scene, "spherical_repaired") for scene in SCENES]
+    return [time_of(results, scene, "control_mixed", quantity="ratio_to_repaired") for scene in SCENES]
 
 
 def batch_gains(results):
@@ -98,22 +121,19 @@ def numbers(results, root):
     out["twist.control_mixed"] = digits(worst_ratio(results, "control_mixed", "twist"))
     for variant in ["control_mixed", "control_many_pieces", "linear"]:
         out[f"cost.{variant}.least"], out[f"cost.{variant}.most"] = (digits(v, 2) for v in span(cost_ratios(results, variant)))
-    sound = [*SPHERICAL, "linear", "linear_mixed", "dual_quaternion_mixed"]
-    out["sound.misses"] = whole_number(total(results, "tightness", quantity="misses", variant=lambda v: v in sound))
-    out["sound.balls"] = whole_number(total(results, "tightness", quantity="nodes", variant=lambda v: v in sound))
+    for name, quantity in [("misses", "misses"), ("balls", "nodes")]:
+        out[f"sound.{name}"] = whole_number(total(results, "tightness", quantity=quantity, variant=is_sound(results)))
     out["volumes.misses"] = whole_number(total(results, "volumes", quantity="misses"))
     out["spheres.least"], out["spheres.most"] = (digits(v, 2) for v in span(fewer_spheres(results)))
     out["default.query.least"], out["default.query.most"] = (digits(v, 2) for v in span(query_ratios(results)))
     out["batch.least"], out["batch.most"] = (digits(v, 2) for v in span(batch_gains(results)))
     for scene in SCENES:
-        out[f"engine.{scene}"] = digits(fastest_engine(results, scene) / time_of(results, scene, "clusters"), 2)
-        out[f"skinall.{scene}"] = digits(time_of(results, scene, "skin_all_float") / time_of(results, scene, "clusters"), 2)
-        out[f"repaired.{scene}"] = digits(time_of(results, scene, "spherical_repaired") / time_of(results, scene, "clusters"), 2)
+        for name in ("engine", "skin_all", "repaired"):
+            out[f"{name.replace('_', '')}.{scene}"] = digits(times_of_ours(results, scene, f"ratio_to_{name}"), 2)
     most = largest_growth(results)
     out["growth.triangles"] = whole_number(most)
     for scene in CLOSE_SCENES:
-        out[f"growth.engine.{scene}"] = digits(
-            grown_time(results, most, scene, "embree") / grown_time(results, most, scene, "clusters"), 2)
+        out[f"growth.engine.{scene}"] = digits(grown_gain(results, scene), 2)
     for detector in ["clusters", "skin_all_float", "embree"]:
         for scene in CLOSE_SCENES:
             out[f"exponent.{detector}.{scene}"] = f"${digits(growth.triangle_exponent(results, scene, detector), 2)}$"
@@ -152,8 +172,7 @@ def numbers(results, root):
             continue
         out[f"deformed.worst.{goal['name']}"], out[f"deformed.reached.{goal['name']}"] = f"{goal['worst']:.2f}", whole_number(goal["reached"])
     out["deformed.cases"] = whole_number(deformations.goals(results)[0]["cases"])
-    ratios = [row["changing"] for row in deformations.costs(results)]
-    out["deformed.cost.least"], out["deformed.cost.most"] = digits(min(ratios), 2), digits(max(ratios), 2)
+    out["deformed.cost.least"], out["deformed.cost.most"] = (digits(v, 2) for v in span(deformations.cost_ratios(results)))
     for name, variant, balls in (("bdtree", "spherical_repaired", "bd_tree"), ("default", "control_mixed", "smallest")):
         out[f"reduced.skinned.{name}"] = f"{deformations.worst(results, kind='vibration_skinned', variant=variant, displacements=balls):.2f}"
     out["reduced.cost"] = digits(deformations.cost_to_bd_tree(results, "vibration", "control_mixed", "smallest"), 2)
@@ -263,32 +282,41 @@ def collision_table(results):
     return table("l" + "r" * len(SCENES), ["\\textmu s a frame", *SCENES], rows)
 
 
-def over_time_table(results):
-    """Linear skinning."""
+def out_of_bounds(results, number, percent):
+    """Returns, by way of bounding, the cells of a row: the characters and the clusters that get out with linear skinning, each with how far at most.
+    number makes a text of a count, and percent stands after a share."""
     clips = len(results.select("over_time", skinning="linear", quantity="duration"))
     clusters = over_time.clusters_of_clips(results, "linear")
     rows = []
     for way in over_time.WAYS:
         found = over_time.misses(results, "linear", way)
-        cells = [f"{found['clips']} of {clips}", found["whole"], f"{whole_number(found['clusters'])} of {whole_number(clusters)}", found["cluster"]]
-        rows.append([found["way"], *(c if isinstance(c, str) else "" if c is None else f"{100 * c.value:.2g}\\,\\%" for c in cells)])
-    return table("lrrrr", ["", "characters out", "by", "clusters out", "by"], rows)
+        whole, cluster = (f"{100 * row.value:.2g}{percent}" if row else "" for row in (found["whole"], found["cluster"]))
+        rows.append([found["way"], f"{found['clips']} of {clips}", whole, f"{number(found['clusters'])} of {number(clusters)}", cluster])
+    return rows
+
+
+def over_time_table(results):
+    return table("lrrrr", ["", "characters out", "by", "clusters out", "by"], out_of_bounds(results, whole_number, "\\,\\%"))
+
+
+def engine_rows(results, number, cost_digits):
+    """Returns, by method that was measured, what it does, who has it, and the cells of its row: the volume with linear skinning, the poses missed with each
+    skinning, and the cost. number makes a text of a count, and cost_digits says how many digits a cost has."""
+    rows = []
+    for method in engines.METHODS:
+        of = {skinning: engines.row_of(results, method, skinning) for skinning in over_time.SKINNINGS}
+        if not of["linear"]:
+            continue
+        volume, cost = of["linear"]["volume_ratio"], engines.costs(results, method)["ratio"]
+        cells = ["" if volume is None else f"{volume:.2f}", *(number(row["misses"]) if row else "" for row in of.values()),
+                 "" if cost is None else digits(cost, cost_digits(cost))]
+        rows.append((of["linear"]["method"].replace("’", "'"), of["linear"]["who"], cells))
+    return rows
 
 
 def engines_table(results):
     """Linear skinning, clips; and the poses missed with all skinnings, where the method is for them."""
-    rows = []
-    for method in engines.METHODS:
-        row = engines.row_of(results, method, "linear")
-        if not row:
-            continue
-        missed = []
-        for skinning in over_time.SKINNINGS:
-            other = engines.row_of(results, method, skinning)
-            missed.append(whole_number(other["misses"]) if other else "")
-        name = escaped(row["method"].replace("’", "'") + (f" ({row['who']})" if row["who"] else ""))
-        cost = engines.costs(results, method)["ratio"]
-        rows.append([name, "" if row["volume_ratio"] is None else f"{row['volume_ratio']:.2f}", *missed, "" if cost is None else digits(cost, 2)])
+    rows = [[escaped(does + (f" ({who})" if who else "")), *cells] for does, who, cells in engine_rows(results, whole_number, lambda cost: 2)]
     head = ["", "volume", *over_time.SKINNINGS.values(), "cost"]
     return table("p{62mm}" + "r" * (len(head) - 1), head, rows)
 
@@ -359,7 +387,7 @@ def growth_plot(results, scene):
     detectors = ["clusters", "spherical_repaired", "control_mixed_through_descendants", "skin_all_float", "embree"]
     sizes = sorted(results.distinct("triangle_growth", "triangles"))
     lines = ["triangles " + " ".join(detectors)]
-    lines += [f"{n} " + " ".join(str(grown_time(results, n, scene, d)) for d in detectors) for n in sizes]
+    lines += [f"{n} " + " ".join(str(grown(results, n, scene, d)) for d in detectors) for n in sizes]
     return "\n".join(lines) + "\n"
 
 

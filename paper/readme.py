@@ -3,7 +3,7 @@
 import re
 
 import content
-from formats import digits, whole_number
+from formats import digits
 from report import deformations, engines, over_time
 from report.statistics import span
 from report.tables import ResultError
@@ -32,18 +32,18 @@ def variants_block(results):
     commit = commit_of(results, "tightness", "speed", "collision", "batch_speed")
     worst = {v: digits(content.worst_ratio(results, v)) for v in ("spherical_repaired", "control_mixed", "control_many_pieces")}
     twist = digits(content.worst_ratio(results, "control_mixed", "twist"))
-    missed = content.total(results, "tightness", quantity="misses", variant=lambda v: v in content.SPHERICAL)
+    missed = content.total(results, "tightness", quantity="misses", variant=content.is_sound(results))
     gains = content.batch_gains(results)
     upper, slower = max(content.upper_cost_ratios(results, "control_mixed")), span(content.query_ratios(results))
     return f"""\
-Measured on six characters with `{command_of(results, "tightness")}` (commit {commit}); {'no ball' if missed == 0 else whole_number(missed) + ' balls'} of these {'misses' if missed == 0 else 'miss'} a vertex. The tightness of a level is the
+Measured on six characters with `{command_of(results, "tightness")}` (commit {commit}); {'no ball of a sound variant misses' if missed == 0 else f'{missed:,.0f} balls of sound variants miss'} a vertex. The tightness of a level is the
 average radius over that of the smallest balls of the deformed vertices. On the worst level of the worst clip it is {worst['spherical_repaired']} for `spherical_repaired`,
 {worst['control_mixed']} for `control_mixed` and {worst['control_many_pieces']} for `control_many_pieces`. Where a joint is twisted by 170 degrees or more, it is at most {twist} on
 any level for `control_mixed`. The cost of a sphere, relative to `spherical_repaired` in the same run, is {from_to(content.cost_ratios(results, 'control_mixed'))} for `control_mixed`
 and {from_to(content.cost_ratios(results, 'control_many_pieces'))} for `control_many_pieces`. Where anything is near, queries of the man refit {from_to(content.fewer_spheres(results))} times fewer
 spheres with `control_mixed`; but these are mostly on the upper levels of the tree, where a sphere costs up to {digits(upper, 2)} times as much. A whole query, far ones too, takes
 {digits(slower.least, 2)} to {digits(slower.most, 2)} times as long as with `spherical_repaired`. In batches of SIMD packs (`algorithms/runtime/batch`), refitting all spheres of a tree by Algorithm 1 repaired costs
-1/{min(gains):.0f} to 1/{max(gains):.0f} of refitting them one by one, in float in place of double.
+with AVX-512 1/{min(gains):.0f} to 1/{max(gains):.0f} of refitting them one by one, in float in place of double.
 """
 
 
@@ -56,19 +56,15 @@ def queries_block(results):
     for name, detector in [("`collide(ClusterBody, …)` with a `PairMemory`", "clusters"), ("the same without it", "clusters_without_memory"), ("skin everything in float, boxes bottom-up", "skin_all_float"),
                            ("the fastest of Embree, FCL and Bullet, of those that find all pairs", None), ("sphere tree on demand, Algorithm 1 repaired", "spherical_repaired")]:
         times = [content.time_of(results, s, detector) if detector else content.fastest_engine(results, s) for s in scenes]
-        times += [content.grown_time(results, most, s, detector or "embree") for s in content.GROWN_SCENES]
+        times += [content.grown(results, most, s, detector or "embree") for s in content.GROWN_SCENES]
         rows.append(f"| {name} | " + " | ".join(digits(t, 3 if t >= 100 else 2).replace("{,}", ",") for t in times) + " |")
     heads = [s if s in ("far", "near") else f"{s}, {content.pairs_of(results, s):.0f} pairs" for s in scenes]
     heads += [f"{s}, {most:,} triangles each" for s in content.GROWN_SCENES]
-    ceilings = {}
-    for scene in ("light", "heavy"):
-        whole = content.time_of(results, scene, "skin_all_float")
-        before = sum(content.time_of(results, scene, "skin_all_float", quantity=f"{stage}_us") for stage in ("pose", "skinning", "refit"))
-        ceilings[scene] = digits(whole / (whole - before), 3)
+    ceilings = {scene: digits(content.gain_without(results, scene, "skin_all_float"), 3) for scene in ("light", "heavy")}
     return f"""\
 The table gives the microseconds a frame, from pose to pairs, to find all touching pairs of two walking men of 8270 triangles each
 (`{command_of(results, "collision")}`; commit {commit}, {cpu}, one thread). Every set of pairs is checked: against brute force, and in the largest models against that of the third row. All rows but the last compare triangles in
-packs of floats first. The last four columns compare with Embree alone.
+packs of floats first. The first three rows skin in float; the vertices of the engines and of the last row are skinned in double. The last four columns compare with Embree alone.
 
 | | {' | '.join(heads)} |
 |---|{'---|' * len(heads)}
@@ -82,12 +78,8 @@ around the whole character, such as our motion bound: the third row then takes {
 
 def over_time_block(results):
     commit = commit_of(results, "over_time", "over_time_growth")
-    clips, clusters = len(results.select("over_time", skinning="linear", quantity="duration")), over_time.clusters_of_clips(results, "linear")
-    rows = []
-    for way in over_time.WAYS:
-        found = over_time.misses(results, "linear", way)
-        by = [f"{100 * row.value:.2g} %" if row else "" for row in (found["whole"], found["cluster"])]
-        rows.append(f"| {found['way']} | {found['clips']} of {clips} | {by[0]} | {found['clusters']} of {clusters:.0f} | {by[1]} |")
+    clips = len(results.select("over_time", skinning="linear", quantity="duration"))
+    rows = [f"| {' | '.join(cells)} |" for cells in content.out_of_bounds(results, "{:.0f}".format, " %")]
     misses = sum(over_time.total(results, q) for q in ("whole_missed", "clusters_missed", "exact_misses"))
     undecided = over_time.total(results, "exact_undecided")
     unknown = f", and of {undecided} that were placed with many digits these are too few to tell" if undecided else ""
@@ -109,17 +101,11 @@ Bounding {triangles:,} triangles takes {bounding:.0f} MB of memory; writing the 
 """
 
 
-def row_of_engines(results, method):
-    of = {s: engines.row_of(results, method, s) for s in over_time.SKINNINGS}
-    one, cost = of["linear"], engines.costs(results, method)["ratio"]
-    missed = [str(of[s]["misses"]) if of[s] else "" for s in over_time.SKINNINGS]
-    return " | ".join([one["method"].replace("’", "'"), one["who"], f"{one['volume_ratio']:.2f}", *missed, digits(cost, 3 if cost < 100 else 2).replace("{,}", ",") if cost else ""])
-
-
 def engines_block(results):
     commit = commit_of(results, "engines")
     volume, cost, goals = engines.volume_goal(results), engines.costs(results, engines.OURS), engines.GOALS
-    methods = [method for method in engines.METHODS if engines.row_of(results, method, "linear")]
+    rows = ["| " + " | ".join([does, who, *cells]).replace("{,}", ",") + " |"
+            for does, who, cells in content.engine_rows(results, "{:.0f}".format, lambda cost: 3 if cost < 100 else 2)]
     reference = engines.row_of(results, "joint_boxes", "linear")
     twisted = {s: engines.row_of(results, engines.OURS, s)["twists"] for s in over_time.SKINNINGS}
     undecided = round(sum(row.value for row in results.find("engines", quantity="undecided")))
@@ -134,7 +120,7 @@ of skinning, in which a vertex is outside; where double precision cannot tell, {
 
 | box | as in | volume | linear | dual quaternion | spherical | cost |
 |---|---|---|---|---|---|---|
-""" + "\n".join(f"| {row_of_engines(results, method)} |" for method in methods) + f"""
+""" + "\n".join(rows) + f"""
 
 Rounded boxes should have at most {goals['volume']} of the volume of joint boxes on average, at most at their cost. They have {volume['mean']:.3f}, {'as they should' if volume['mean'] <= goals['volume'] else 'more than they should'}, where the
 true box has {volume['true']:.3f}; {volume['reached']} of {volume['clips']} clips are within the goal. They are fitted to twelve poses of each of these clips{of_others}. Their cost is {cost['ratio']:.2f} of that of joint boxes from a pose, and {cost['ratio_of_matrices']:.2f} from the matrices that
@@ -147,12 +133,11 @@ volume of the true box with the last two, where it has a bound: it has none in {
 def deformations_block(results):
     commit = commit_of(results, "deformations")
     said = [f"`{g['name']}` has at most {g['worst']:.2f} (goal: {g['goal']}, reached in {g['reached']} of {g['cases']} cases)" for g in deformations.goals(results)]
-    ratios = [row["changing"] for row in deformations.costs(results)]
     misses = deformations.misses(results)
     return f"""\
 Characters whose joints scale or whose morph targets move, generated and real (`{command_of(results, "deformations")} --only deformations`; commit {commit}): of {deformations.balls(results):,} balls
 {'none misses' if misses == 0 else f'{misses} miss'} a vertex. Of the average radius over that of the smallest balls, on the worst level of the worst character, {"; ".join(said)}.
-The default refits cost {digits(min(ratios), 2)} to {digits(max(ratios), 2)} times as much as those of the rigid character.
+The default refits cost {from_to(deformations.cost_ratios(results))} times as much as those of the rigid character.
 """
 
 

@@ -25,7 +25,7 @@ struct CollisionResult {
   std::string model, scene, detector;
   Origin origin;
   Query query;
-  long differing_pairs = 0;  // in all frames, of detectors that may (DetectorKind::tolerated_share)
+  double differing_pairs = 0;  // of detectors that may have some (DetectorKind::tolerated_share)
   double pairs = 0, volume_tests = 0, triangle_tests = 0, nodes_refitted = 0, vertices_skinned = 0;
   std::vector<double> share_refitted;  // by level - 1, of both trees' balls; where the detector refits on demand
   double us_per_frame = 0;             // from poses to pairs

@@ -8,6 +8,7 @@
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/collisions/detectors.hpp"
+#include "experiments/speed/statistics.hpp"
 
 namespace refitlab {
 namespace {
@@ -33,11 +34,10 @@ class PairCounter {
  public:
   explicit PairCounter(const AnimatedCharacter& c) : detector_(detector_kind("skin_all_float").make(c)) {}
 
-  // Returns the frames' numbers of touching pairs, in increasing order.
-  std::vector<long> pairs(const std::vector<ScenarioFrame>& frames) {
-    std::vector<long> counts;
-    for (const auto& f : frames) counts.push_back(static_cast<long>(detector_->pairs(f, Query::full).size()));
-    std::sort(counts.begin(), counts.end());
+  // Returns the frames' numbers of touching pairs.
+  std::vector<double> pairs(const std::vector<ScenarioFrame>& frames) {
+    std::vector<double> counts;
+    for (const auto& f : frames) counts.push_back(static_cast<double>(detector_->pairs(f, Query::full).size()));
     return counts;
   }
 
@@ -46,6 +46,8 @@ class PairCounter {
 };
 
 constexpr int searched_frames = 12, bisections = 12;
+
+bool is_any_touching(const std::vector<double>& pairs) { return *std::max_element(pairs.begin(), pairs.end()) > 0; }
 
 // Returns the largest lateral distance up to high, within a share of 2^-bisections of it, at which holds(pairs) is true, or 0 if
 // there is none.
@@ -91,18 +93,16 @@ std::vector<ScenarioFrame> WalkPast::in_place() const {
 std::vector<Scenario> scenarios(const AnimatedCharacter& c, int frames) {
   PairCounter counter(c);
   const WalkPast walk(c, frames), searched(c, searched_frames);
-  const auto median = [](const std::vector<long>& sorted) { return sorted[sorted.size() / 2]; };
-  const double reach = 2 * c.tree.nodes[0].reference.radius;
-  const double touch = largest_lateral(counter, searched, reach, [](const auto& pairs) { return pairs.back() > 0; });
+  const double reach = 2 * c.tree.nodes[0].reference.radius, step = 0.01 * reach;
+  double near = largest_lateral(counter, searched, reach, is_any_touching) + step;
+  while (is_any_touching(counter.pairs(walk.at(near)))) near += step;
   const double light = largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 50; });
   const double heavy = largest_lateral(counter, searched, reach, [&](const auto& pairs) { return median(pairs) >= 850; });
-  std::vector<Scenario> out{{"far", 2 * reach, 0, walk.at(2 * reach)},
-                            {"near", touch + 0.01 * reach, 0, walk.at(touch + 0.01 * reach)},
-                            {"light", light, 0, walk.at(light)},
-                            {"heavy", heavy, 0, walk.at(heavy)},
-                            {"worst", 0, 0, walk.in_place()}};
-  for (Scenario& e : out) e.median_pairs = static_cast<double>(median(counter.pairs(e.frames)));
-  return out;
+  return {{"far", walk.at(2 * reach)},
+          {"near", walk.at(near)},
+          {"light", walk.at(light)},
+          {"heavy", walk.at(heavy)},
+          {"worst", walk.in_place()}};
 }
 
 }  // namespace refitlab

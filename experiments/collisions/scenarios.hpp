@@ -8,9 +8,7 @@
 namespace refitlab {
 
 struct Scenario {
-  std::string name;     // far, near, light, heavy, worst
-  double lateral;       // the distance at which the walkers pass each other, in model units
-  double median_pairs;  // of touching triangles, over the frames
+  std::string name;  // far, near, light, heavy, worst
   std::vector<ScenarioFrame> frames;
 };
 
@@ -36,7 +34,8 @@ class WalkPast {
 
 // Returns five scenarios. far: the roots are disjoint. near: they overlap in the middle, but no triangles touch. light: the
 // median is about 50 touching pairs. heavy: it is about 850, or lateral is 0 if that has fewer. worst: both are in one place all
-// the time (the paper's worst-case scenario). The distances are found by bisection on 12 of the frames.
+// the time (the paper's worst-case scenario). The distances are found by bisection on 12 frames; that of near then grows until no
+// triangles touch in any of its own.
 std::vector<Scenario> scenarios(const AnimatedCharacter& character, int frames);
 
 }  // namespace refitlab

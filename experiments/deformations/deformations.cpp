@@ -68,7 +68,6 @@ class Rows {
         add(kind, pose, variant, level, "ratio_to_optimal", t.ratio_to_optimal(), "1", skinning, displacements);
       add(kind, pose, variant, level, "nodes", static_cast<double>(t.nodes), "1", skinning, displacements);
       add(kind, pose, variant, level, "misses", static_cast<double>(t.misses), "1", skinning, displacements);
-      add(kind, pose, variant, level, "worst_miss", t.worst_miss, "model unit", skinning, displacements);
     }
   }
 
@@ -116,7 +115,7 @@ DeformationResult run_deformations(const Model& model, const DeformationSettings
   const std::vector<double> shares = even_shares(settings.times_per_clip);
   DeformationResult result;
   result.model = model.name;
-  result.vertices = static_cast<long>(model.vertices.size()), result.joints = static_cast<long>(model.joints.size());
+  result.joints = static_cast<long>(model.joints.size());
   result.targets = morph_targets(model).count;
   if (deforms_itself(model)) measure(bake(Model(model)), "own", own_poses(model, shares), result);
   else if (!model.clips.empty()) measure_made_up(model, shares, settings, result);
@@ -128,7 +127,6 @@ void write_deformations(const std::vector<DeformationResult>& results, const std
       {"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "skinning", "kind", "displacements"});
   for (const DeformationResult& r : results) {
     Rows rows(r.model, file);
-    rows.add("model", "all", "model", "all", "vertices", static_cast<double>(r.vertices));
     rows.add("model", "all", "model", "all", "joints", static_cast<double>(r.joints));
     rows.add("model", "all", "model", "all", "targets", static_cast<double>(r.targets));
     for (const DeformationMeasure& m : r.measures) rows.add(m.kind, m.variant, m.poses, m.levels, table_name_of(m.skinning));
@@ -143,11 +141,8 @@ void write_deformations(const std::vector<DeformationResult>& results, const std
     }
     for (const ReducedResult& reduced : r.reduced) add_reduced(reduced, rows);
     for (const ReducedCost& c : r.reduced_costs) {
-      const auto add = [&](const char* quantity, double value, const char* unit) {
-        rows.add("vibration", "first and last frame", c.variant, "all", quantity, value, unit, "none", table_name_of(c.balls));
-      };
-      add("ns_per_sphere", c.ns_per_sphere, "ns");
-      add("ratio_to_bd_tree", c.to_bd_tree, "1");
+      rows.add("vibration", "first and last frame", c.variant, "all", "ratio_to_bd_tree", c.to_bd_tree, "1", "none",
+               table_name_of(c.balls));
     }
   }
   file.write(path);

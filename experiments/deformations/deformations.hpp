@@ -28,7 +28,7 @@ struct DeformationMeasure {
 
 struct DeformationResult {
   std::string model;
-  long vertices = 0, joints = 0, targets = 0;  // targets: of the model itself
+  long joints = 0, targets = 0;  // of the model itself
   std::vector<DeformationMeasure> measures;
   std::vector<DeformedCost> costs;
   std::vector<ReducedResult> reduced;

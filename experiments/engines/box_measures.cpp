@@ -20,7 +20,7 @@ BoxMeasures::BoxMeasures(const std::vector<std::string>& methods, std::size_t re
   for (const std::string& method : methods) sums_.push_back({method});
 }
 
-void BoxMeasures::add(double pose, const Box<double>& truth, const std::vector<Box<double>>& boxes, double error,
+void BoxMeasures::add(const Box<double>& truth, const std::vector<Box<double>>& boxes, double error,
                       const std::function<Verdict(std::size_t)>& decide) {
   for (std::size_t m = 0; m < sums_.size(); ++m) {
     BoxMeasure& sum = sums_[m];
@@ -34,7 +34,6 @@ void BoxMeasures::add(double pose, const Box<double>& truth, const std::vector<B
       sum.volume += ratio;
       sum.area += area_of_box(boxes[m]) / area_of_box(truth);
       sum.radius += boxes[m].edges().norm() / truth.edges().norm();
-      sum.greatest_volume = std::max(sum.greatest_volume, ratio);
       sum.to_reference += volume / volume_of_box(boxes[reference_]);
     } else {
       ++sum.flat;
@@ -43,7 +42,7 @@ void BoxMeasures::add(double pose, const Box<double>& truth, const std::vector<B
     sum.undecided += missed == Verdict::undecided;
     sum.misses += missed == Verdict::holds;
     const double share = by / std::max(truth.edges().maxCoeff(), std::numeric_limits<double>::min());
-    if (missed == Verdict::holds && share > sum.missed_by) sum.missed_by = share, sum.missed_at = pose;
+    if (missed == Verdict::holds) sum.missed_by = std::max(sum.missed_by, share);
   }
 }
 

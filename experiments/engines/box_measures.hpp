@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/runtime/balls/box.hpp"
+#include "experiments/over_time/extremes.hpp"
 #include "lemmas/vocabulary/verdict.hpp"
 
 namespace refitlab {
@@ -19,16 +19,12 @@ struct BoxMeasure {
   long unbounded = 0;                         // poses for which the method has no bound, which count for no ratio
   long flat = 0;                              // others in which the true box has no volume, which count for none either
   double volume = 0, area = 0, radius = 0;    // mean ratios; radius: of the ball around the box
-  double greatest_volume = 0;                 // ratio
   double to_reference = 0;                    // mean ratio to the reference method's volume
-  // These say how far a vertex is outside at most, as a share of the true box's longest side, and the time or the number of the
-  // pose.
-  double missed_by = 0, missed_at = 0;
+  double missed_by = 0;                       // how far a vertex is outside at most, as a share of the true box's longest side
 
   long with_ratios() const { return poses - unbounded - flat; }
 };
 
-inline double volume_of_box(const Box<double>& box) { return box.edges().prod(); }
 double area_of_box(const Box<double>& box);
 
 // Returns the length by which the true box extends beyond another one. It is less than 0 if it does not.
@@ -41,7 +37,7 @@ class BoxMeasures {
 
   // Adds a pose. boxes are by method, and infinite where there is no bound, which the reference must have. error bounds that of
   // the true box's places. Where such an error leaves it open, decide says whether the box at a position holds all vertices.
-  void add(double pose, const Box<double>& truth, const std::vector<Box<double>>& boxes, double error,
+  void add(const Box<double>& truth, const std::vector<Box<double>>& boxes, double error,
            const std::function<Verdict(std::size_t)>& decide);
 
   // Returns the measures by method. Ratios are 0 where with_ratios() is.

@@ -39,9 +39,9 @@ std::vector<Pose> expected_poses(const Model& model, std::optional<std::size_t> 
 
 Pose rest_pose(const Model& model) { return pose(model.skeleton, Animation{}, 0).pose; }
 
-const std::vector<EngineMethod>& PoseMethods::methods() {
-  static const std::vector<EngineMethod> all = {{"joint_boxes", false},   {"padded_pivots", false}, {"all_skinned", false},
-                                                {"joint_capsules", true}, {"rounded_boxes", true},  {"motion_bound", true}};
+const std::vector<std::string>& PoseMethods::methods() {
+  static const std::vector<std::string> all = {"joint_boxes",    "padded_pivots", "all_skinned",
+                                               "joint_capsules", "rounded_boxes", "motion_bound"};
   return all;
 }
 
@@ -77,11 +77,11 @@ std::vector<Box<double>> PoseMethods::boxes(const Pose& pose) {
   return out;
 }
 
-const std::vector<EngineMethod>& clip_methods() {
-  static const std::vector<EngineMethod> all = [] {
-    std::vector<EngineMethod> names = {{"rest_box", false}, {"scaled_rest_box", false}};
-    for (const SamplingWay& way : sampling_ways()) names.push_back({"sampled_union_" + way.name, false});
-    names.push_back({"sampled_joint_boxes", false});
+const std::vector<std::string>& clip_methods() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names = {"rest_box", "scaled_rest_box"};
+    for (const SamplingWay& way : sampling_ways()) names.push_back("sampled_union_" + way.name);
+    names.push_back("sampled_joint_boxes");
     return names;
   }();
   return all;
@@ -98,7 +98,7 @@ std::vector<ClipBox> clip_boxes(const Model& model, const PlayedClip& clip, Pose
   for (const SamplingWay& way : sampling_ways()) boxes.push_back(merged(way, of_all_skinned));
   boxes.push_back(merged({"steps", 1 / seconds_a_step}, of_joint_boxes));
   std::vector<ClipBox> out;
-  for (std::size_t i = 0; i < boxes.size(); ++i) out.push_back({clip_methods()[i].name, box_of<double>(with_room(boxes[i]))});
+  for (std::size_t i = 0; i < boxes.size(); ++i) out.push_back({clip_methods()[i], box_of<double>(with_room(boxes[i]))});
   return out;
 }
 

@@ -18,11 +18,6 @@
 
 namespace refitlab {
 
-struct EngineMethod {
-  std::string name;
-  bool is_ours;
-};
-
 // The joint boxes are the reference with which the others are compared.
 inline constexpr std::size_t reference_method = 0;
 
@@ -44,7 +39,8 @@ class PoseMethods {
   // All arguments must outlive this.
   PoseMethods(const Model& model, const JointSets& sets, const JointVolumes& volumes, Skinning skinning);
 
-  static const std::vector<EngineMethod>& methods();
+  // Returns the names of the methods.
+  static const std::vector<std::string>& methods();
   // Returns the boxes of all methods in one pose. They are larger by a renderer's rounding, as bounds over time are. A box is
   // infinite if the method has no bound for the pose.
   std::vector<Box<double>> boxes(const Pose& pose);
@@ -86,6 +82,6 @@ struct ClipBox {
 //   whatever its weight.
 std::vector<ClipBox> clip_boxes(const Model& model, const PlayedClip& clip, PoseMethods& methods);
 // Returns the methods of these boxes, in this order.
-const std::vector<EngineMethod>& clip_methods();
+const std::vector<std::string>& clip_methods();
 
 }  // namespace refitlab

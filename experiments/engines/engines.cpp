@@ -25,10 +25,8 @@ constexpr double error_of_places = 1e-11;
 constexpr std::size_t most_keys = 100000;
 
 std::vector<std::string> names_of_methods(bool of_clip) {
-  std::vector<std::string> names;
-  for (const EngineMethod& m : PoseMethods::methods()) names.push_back(m.name);
-  if (of_clip)
-    for (const EngineMethod& m : clip_methods()) names.push_back(m.name);
+  std::vector<std::string> names = PoseMethods::methods();
+  if (of_clip) names.insert(names.end(), clip_methods().begin(), clip_methods().end());
   return names;
 }
 
@@ -44,7 +42,6 @@ class EngineExperiment {
     for (std::size_t c = 0; settings.unseen_clips && model.clips.size() > 1 && c < model.clips.size(); ++c)
       of_other_clips_.emplace_back(model, expected_poses(model, c));
     result_.model = model.name;
-    result_.vertices = static_cast<long>(model.vertices.size()), result_.joints = static_cast<long>(model.joints.size());
   }
 
   EngineResult run() {
@@ -76,9 +73,9 @@ class EngineExperiment {
       if (unseen) matrices.set(pose), boxes.push_back(box_of<double>(with_room(box_of<double>(unseen->box(matrices)))));
       const Box<double> truth = methods.truth(pose);
       // If places are closer to a wall than doubles can tell, 60 digits decide.
-      measures.add(time, truth, boxes, error_of_places * size_of_place(truth), [&](std::size_t m) {
+      measures.add(truth, boxes, error_of_places * size_of_place(truth), [&](std::size_t m) {
         Verdict verdict = Verdict::holds;
-        for (int v = 0; v < result_.vertices; ++v) verdict &= exact.is_in({v, time, Side::after}, box_of<float>(boxes[m]));
+        for (int v = 0; v < vertex_count(); ++v) verdict &= exact.is_in({v, time, Side::after}, box_of<float>(boxes[m]));
         return verdict;
       });
     }
@@ -90,7 +87,6 @@ class EngineExperiment {
   // Measures poses with each joint turned about its bone by up to nearly half a turn.
   void twist(Skinning skinning, PoseMethods& methods) {
     BoxMeasures measures(names_of_methods(false), reference_method);
-    int number = 0;
     for (std::size_t j = 0; j < model_.joints.size(); ++j)
       for (const double degrees : {90., 135., 170., 179.}) {
         const Pose pose = twist_pose(model_, static_cast<int>(j), degrees * std::numbers::pi / 180);
@@ -99,8 +95,8 @@ class EngineExperiment {
         const SkinningPalette<double> palette = make_skinning_palette(model_, sets_, pose, skinning);
         ExactSkin exact(model_, sets_, palette, skinning);
         // Of places closer to a wall than doubles can tell, rationals decide.
-        measures.add(number++, truth, boxes, error_of_places * size_of_place(truth), [&](std::size_t m) {
-          for (int v = 0; v < result_.vertices; ++v)
+        measures.add(truth, boxes, error_of_places * size_of_place(truth), [&](std::size_t m) {
+          for (int v = 0; v < vertex_count(); ++v)
             if (!exact.is_in(boxes[m], v)) return Verdict::fails;
           return Verdict::holds;
         });
@@ -121,17 +117,16 @@ class EngineExperiment {
     matrices.set(pose);
     std::vector<Timed> timed;
     for (std::size_t m = 0; m < PoseMethods::methods().size(); ++m)
-      timed.push_back({PoseMethods::methods()[m].name, 1, [&, m] { benchmark::DoNotOptimize(methods.box(m, pose)); }});
+      timed.push_back({PoseMethods::methods()[m], 1, [&, m] { benchmark::DoNotOptimize(methods.box(m, pose)); }});
     const std::string of_matrices = " of matrices";
     timed.push_back({"joint_boxes" + of_matrices, 1, [&] { benchmark::DoNotOptimize(volumes_.boxes.box(matrices)); }});
     timed.push_back({"joint_capsules" + of_matrices, 1, [&] { benchmark::DoNotOptimize(volumes_.capsules.box(matrices)); }});
     timed.push_back({"rounded_boxes" + of_matrices, 1, [&] { benchmark::DoNotOptimize(volumes_.rounded_boxes.box(matrices)); }});
     const auto times = ns_per_item(timed, settings_.speed);
-    const auto& reference = PoseMethods::methods()[reference_method].name;
-    for (const EngineMethod& method : PoseMethods::methods()) {
-      EngineCost cost{method.name, skinning, median(times.at(method.name)),
-                      median_ratio(times.at(method.name), times.at(reference))};
-      if (const auto found = times.find(method.name + of_matrices); found != times.end()) {
+    const auto& reference = PoseMethods::methods()[reference_method];
+    for (const std::string& method : PoseMethods::methods()) {
+      EngineCost cost{method, skinning, median(times.at(method)), median_ratio(times.at(method), times.at(reference))};
+      if (const auto found = times.find(method + of_matrices); found != times.end()) {
         cost.ns_of_matrices = median(found->second);
         cost.ratio_of_matrices = median_ratio(found->second, times.at(reference + of_matrices));
       }
@@ -141,6 +136,8 @@ class EngineExperiment {
     }
     std::cout << std::flush;
   }
+
+  int vertex_count() const { return static_cast<int>(model_.vertices.size()); }
 
   Pose middle_pose() const {
     for (const Clip& clip : model_.clips) try {
@@ -173,13 +170,11 @@ void write_engines(const std::vector<EngineResult>& results, const std::string& 
                          double value, const char* unit, const char* skinning) {
       file.add({"engines", r.model, pose, method, "all", quantity, format_number(value), unit, skinning, kind});
     };
-    add("all", "model", "model", "vertices", static_cast<double>(r.vertices), "1", "all");
-    add("all", "model", "model", "joints", static_cast<double>(r.joints), "1", "all");
     add("all", "model", "model", "refused_clips", static_cast<double>(r.refused.size()), "1", "all");
     for (const EnginePoses& p : r.poses)
       for (const BoxMeasure& m : p.measures) {
-        const auto of_poses = [&](const char* quantity, double value, const char* unit = "1") {
-          add(p.name, p.kind, m.method, quantity, value, unit, table_name_of(p.skinning));
+        const auto of_poses = [&](const char* quantity, double value) {
+          add(p.name, p.kind, m.method, quantity, value, "1", table_name_of(p.skinning));
         };
         of_poses("poses", static_cast<double>(m.poses));
         of_poses("misses", static_cast<double>(m.misses));
@@ -187,12 +182,10 @@ void write_engines(const std::vector<EngineResult>& results, const std::string& 
         of_poses("unbounded", static_cast<double>(m.unbounded));
         if (m.unbounded == m.poses) continue;
         of_poses("missed_by", m.missed_by);
-        of_poses("missed_at", m.missed_at, p.kind == "clip" ? "s" : "1");
         if (m.with_ratios() == 0) continue;
         of_poses("volume_ratio", m.volume);
         of_poses("area_ratio", m.area);
         of_poses("radius_ratio", m.radius);
-        of_poses("greatest_volume_ratio", m.greatest_volume);
         of_poses("volume_to_joint_boxes", m.to_reference);
       }
     for (const EngineCost& c : r.costs) {

@@ -37,7 +37,6 @@ struct EngineCost {
 
 struct EngineResult {
   std::string model;
-  long vertices = 0, joints = 0;
   std::vector<std::string> refused;  // clips that are not rigid, and why
   std::vector<EnginePoses> poses;
   std::vector<EngineCost> costs;

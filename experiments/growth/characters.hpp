@@ -19,7 +19,7 @@ struct CharacterGrowth {
   double clusters_skinned = 0;  // share of all
   double full = 0, yes_no = 0;
   double full_on_two_threads = 0;  // 0 where threads are not to be had
-  double skin_all = 0;             // only to palette and skin all of them, in packs: less than any detector that does so
+  double skin_all = 0;             // only to palette and skin all of them, in float: less than any detector that does so
 };
 
 // Measures 10 to 1000 characters, each with two square metres.

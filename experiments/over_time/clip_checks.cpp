@@ -70,7 +70,7 @@ class ClipChecks {
     long count = 0;
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       const Box<double> box = seen_[p].box();
-      const double ratio = volume_of(box_of<double>(bounds_.boxes[p])) / volume_of(box);
+      const double ratio = volume_of_box(box_of<double>(bounds_.boxes[p])) / volume_of_box(box);
       if (p == 0) result_.whole_ratio = is_flat(box) ? 1 : ratio;
       else if (is_flat(box)) ++result_.flat_clusters;
       else sum += ratio, ++count;

@@ -77,7 +77,7 @@ CrossfadeResult check_crossfade(const Model& model, const JointSets& sets, const
     of_clips.merge(bounds.clips[bound.second].parts[compared[p]].box);
     result.out_of_both_clips += beyond(seen[p], of_clips) > error;
     const Box<double> box = seen[p].box();
-    const double ratio = volume_of(box_of<double>(part.box)) / volume_of(box);
+    const double ratio = volume_of_box(box_of<double>(part.box)) / volume_of_box(box);
     if (p == 0) result.whole_ratio = is_flat(box) ? 1 : ratio;
     else if (is_flat(box)) ++result.flat_clusters;
     else sum += ratio, ++count;

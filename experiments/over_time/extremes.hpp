@@ -54,6 +54,6 @@ inline double longest_side(const Box<float>& box) { return box_of<double>(box).e
 inline constexpr double flattest_side = 0.02;
 inline bool is_flat(const Box<double>& box) { return box.edges().minCoeff() < flattest_side * box.edges().maxCoeff(); }
 
-inline double volume_of(const Box<double>& box) { return box.edges().prod(); }
+inline double volume_of_box(const Box<double>& box) { return box.edges().prod(); }
 
 }  // namespace refitlab

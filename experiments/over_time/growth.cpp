@@ -13,6 +13,8 @@
 
 #include "algorithms/model/write_gltf.hpp"
 #include "algorithms/results/result_file.hpp"
+#include "algorithms/results/write_whole.hpp"
+#include "algorithms/runtime/tree/fingerprint.hpp"
 #include "experiments/over_time/over_time.hpp"
 #include "experiments/over_time/repeated.hpp"
 #include "experiments/procedural/procedural.hpp"
@@ -85,6 +87,12 @@ OverTimeGrowth finer(const Model& walk, int repetitions) {
 }
 
 }  // namespace
+
+std::string identify_baking_program() {
+  Fingerprint print;
+  print.add_bytes(read_whole(REFITLAB_PROGRAM));
+  return print.text();
+}
 
 std::vector<OverTimeGrowth> run_over_time_growth(const OverTimeGrowthSettings& settings) {
   std::vector<OverTimeGrowth> rows;

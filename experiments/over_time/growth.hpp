@@ -26,6 +26,9 @@ struct OverTimeGrowth {
 // Measures the growth. Progress goes to stdout. Throws std::runtime_error if the program fails.
 std::vector<OverTimeGrowth> run_over_time_growth(const OverTimeGrowthSettings& settings);
 
+// Returns a fingerprint of that program. Throws std::runtime_error if it cannot be read.
+std::string identify_baking_program();
+
 void write_over_time_growth(const std::vector<OverTimeGrowth>& rows, const std::string& path);
 
 }  // namespace refitlab

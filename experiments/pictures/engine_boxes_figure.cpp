@@ -39,7 +39,7 @@ void draw_boxes_of(const Model& model, const Clip& clip, PictureTable& pictures)
   std::vector<PictureNumber> numbers = {{"time", time, "s"}};
   for (const DrawnBox& drawn : drawn_boxes) {
     const auto& names = PoseMethods::methods();
-    const auto at = std::find_if(names.begin(), names.end(), [&](const auto& m) { return m.name == drawn.method; });
+    const auto at = std::find(names.begin(), names.end(), drawn.method);
     const Box<double>& box = boxes[static_cast<std::size_t>(at - names.begin())];
     framed.merge(box);
     add_edges(scene, box_of<float>(box), line_share * truth.edges().norm(), drawn.color);

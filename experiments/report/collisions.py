@@ -93,8 +93,8 @@ def headline_section(results, page):
 
 
 def differences(results):
-    """Returns, for each detector that may leave out a pair, its row of detectors.csv, how many pairs differ, and of how many a
-    frame."""
+    """Returns, for each detector that may leave out a pair, its row of detectors.csv, how many pairs a frame differ, and of how
+    many."""
     out = []
     for detector in results.rows("detectors"):
         if detector.tolerated_share > 0 and detector.found == "yes":
@@ -133,7 +133,7 @@ def section(results, page):
     there = set(results.distinct("collision", "variant"))
     detectors = results.rows("detectors")
     shares = [(m.model, scene, m.shares(scene)) for m in models for scene in m.scenes]
-    return {"models": models, "queries": QUERIES, "stages": STAGES, "differences": differences(results),
+    return {"models": models, "queries": QUERIES, "differences": differences(results),
             "detectors": [(d, COLORS[d.origin], ORIGINS[d.origin]) for d in detectors if d.detector in there and d.found == "yes"],
             "absent": [d for d in detectors if d.found == "no"], "table_2": table_2(results),
             "shares": [row for row in shares if row[2]], "share_levels": max(len(row[2]) for row in shares), "sphere_costs": sphere_costs(results)}

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Deformations: how tight refits are of characters whose joints scale, that have morph targets or a reduced deformation, beside the smallest balls of
 the deformed and skinned vertices; what they miss, and what they cost."""
-from .over_time import SKINNINGS
 from .plots import Line, Plot
 from .statistics import mean
 
@@ -82,6 +81,11 @@ def costs(results):
     return rows
 
 
+def cost_ratios(results):
+    """Returns the costs over the rigid refit of the same run, by default variant, kind and model, where every frame has a new deformation."""
+    return results.values("deformations", quantity="ratio_to_rigid", kind=lambda k: k in MADE_UP, variant=lambda v: v in DEFAULTS)
+
+
 def reduced_table(results, kind):
     """Returns the table, or None if there is none."""
     title, methods = REDUCED_KINDS[kind]
@@ -119,8 +123,8 @@ def section(results, page):
     if not rows:  # models without clips
         return None
     first = rows[0]["model"]
-    facts = [{"model": m, **{q: round(results.number("deformations", model=m, kind="model", quantity=q)) for q in ("vertices", "joints", "targets")}} for m in models_of(results, "own")]
+    facts = [{"model": m, **{q: round(results.number("deformations", model=m, kind="model", quantity=q)) for q in ("joints", "targets")}} for m in models_of(results, "own")]
     tables = [table for kind in REDUCED_KINDS if (table := reduced_table(results, kind))]
-    return {"rows": rows, "variants": VARIANTS, "goals": goals(results), "costs": costs(results), "facts": facts, "reduced": tables, "skinnings": SKINNINGS,
+    return {"rows": rows, "variants": VARIANTS, "goals": goals(results), "costs": costs(results), "facts": facts, "reduced": tables,
             "misses": misses(results), "balls": balls(results), "plot": plot(results, first),
             "reduced_plot": reduced_plot(results, tables[0]["models"][0]) if tables else None}

@@ -40,6 +40,11 @@ def farthest(results, method, **where):
     return row if row and row.value else None
 
 
+def refused_clips(results):
+    """Returns how many clips are left out because their joints do not move rigidly."""
+    return round(sum(row.value for row in results.find("engines", kind="model", quantity="refused_clips")))
+
+
 def row_of(results, method, skinning):
     """Returns the row of a method, or None if it was not measured."""
     if not results.find("engines", variant=method, skinning=skinning, kind="clip", quantity="poses"):
@@ -113,4 +118,5 @@ def section(results, page):
     context = {"figures": [], "colors": {}}
     if results.was_run("pictures"):
         context = {"figures": pictures.figures_of(results, page, {"engine_boxes"}), "colors": pictures.colors_of(results)}
-    return context | {"tables": tables, "ratios": RATIOS, "costs": timed, "goals": GOALS, "volume": volume_goal(results), "unseen": unseen(results), "cost": costs(results, OURS), "clips": clip_rows(results)}
+    return context | {"tables": tables, "ratios": RATIOS, "costs": timed, "goals": GOALS, "volume": volume_goal(results), "unseen": unseen(results), "cost": costs(results, OURS), "clips": clip_rows(results),
+                      "refused": refused_clips(results)}

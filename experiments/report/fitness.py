@@ -11,8 +11,9 @@ import subprocess
 from .tables import PROVENANCE, ResultError, Results
 
 RUN = ["CMakeLists.txt", "lemmas", "algorithms", "experiments/CMakeLists.txt", "experiments/main.cpp", "experiments/options.cpp",
-       "experiments/options.hpp", "experiments/procedural", "experiments/scenes"]
-QUERIES = ["experiments/collisions", "experiments/baselines", "experiments/speed/timing.cpp", "experiments/speed/timing.hpp"]
+       "experiments/options.hpp", "experiments/run_file.hpp", "experiments/resume", "experiments/procedural", "experiments/scenes"]
+TIMING = ["experiments/speed/timing.cpp", "experiments/speed/timing.hpp", "experiments/speed/statistics.hpp"]
+QUERIES = ["experiments/collisions", "experiments/baselines", *TIMING]
 SOURCES = {
     "tightness": [*RUN, "experiments/tightness"],
     "volumes": [*RUN, "experiments/tightness", "experiments/speed"],
@@ -20,14 +21,15 @@ SOURCES = {
     "batch_speed": [*RUN, "experiments/speed"],
     "collision": [*RUN, *QUERIES],
     "triangle_growth": [*RUN, *QUERIES, "experiments/growth"],
-    "rounding": [*RUN, "experiments/rounding", "experiments/speed/timing.cpp", "experiments/speed/timing.hpp"],
+    "rounding": [*RUN, "experiments/rounding", *TIMING],
     "joint_growth": [*RUN, *QUERIES, "experiments/growth"],
     "character_growth": [*RUN, *QUERIES, "experiments/growth"],
     "over_time": [*RUN, "experiments/over_time", "proptests/oracles"],
-    "crossfades": [*RUN, "experiments/over_time"],
-    "over_time_growth": [*RUN, "experiments/over_time"],
-    "engines": [*RUN, "experiments/engines", "experiments/over_time", "experiments/speed/timing.cpp", "experiments/speed/timing.hpp", "proptests/oracles"],
-    "deformations": [*RUN, "experiments/deformations", "experiments/tightness", "experiments/speed/timing.cpp", "experiments/speed/timing.hpp"],
+    "crossfades": [*RUN, "experiments/over_time", "proptests/oracles"],
+    "over_time_growth": [*RUN, "experiments/over_time", "proptests/oracles"],
+    "engines": [*RUN, "experiments/engines", "experiments/over_time", *TIMING, "proptests/oracles"],
+    "deformations": [*RUN, "experiments/deformations", "experiments/tightness", *TIMING],
+    "variants": [*RUN, *QUERIES, "experiments/catalogue", "experiments/tightness"],
     "run": [*RUN, "experiments/render", "experiments/pictures"],
     "verdicts": ["CMakeLists.txt", "lemmas", "algorithms", "proptests/CMakeLists.txt", "proptests/main.cpp",
                  "proptests/harness.cpp", "proptests/harness.hpp", "proptests/session.cpp", "proptests/session.hpp",

@@ -4,7 +4,7 @@ from .plots import Line, Plot
 from .statistics import fitted_exponent
 
 FITTED_FROM = 4000     # triangles: below, what does not grow dominates
-FITTED_JOINTS = (100, 1000)
+FITTED_JOINTS = (100, 1000)  # these two numbers
 FITTED_CROWDS = 3      # the largest numbers of characters
 
 
@@ -54,9 +54,9 @@ def joints_section(results, page):
         ns = [("own", "ns_of_nodes_of_many"), ("through_descendants", "ns_of_nodes_of_many"), ("own", "ns_of_root"), ("through_descendants", "ns_of_root"),
               ("through_descendants", "ns_of_root_from_known")]
         rows.append({"joints": joints, "sets": round(of("own", "joint_sets")), "many": round(of("own", "nodes_of_many_joint_sets")),
-                     "us": [(of(*which) or 0) / 1000 for which in ns],
+                     "us": [None if (t := of(*which)) is None else t / 1000 for which in ns],
                      "ratios": [of(variant, "root_ratio_to_optimal") for variant in ("own", "through_descendants")]})
-    return {"exponent": joint_exponent(results), "rows": rows,
+    return {"exponent": joint_exponent(results), "fitted": FITTED_JOINTS, "rows": rows,
             "plot": Plot("the root's ball", "joints", "us", lines, log_x=True, log_y=True).svg()}
 
 
@@ -83,5 +83,6 @@ def characters_section(results, page):
             return results.number_or_none("character_growth", characters=characters, variant=variant, quantity=quantity)
         rows.append({"characters": characters, **{q: of(q) for q in ("pairs_of_boxes", "contacts", "triangle_pairs", "share_of_clusters_skinned")},
                      "us": [of("us_per_frame", variant) for _, variant in CROWD_LINES]})
-    return {"exponent": crowd_exponent(results, "clusters"), "yes_no_exponent": crowd_exponent(results, "clusters_yes_no"), "rows": rows,
+    fitted = [men for men, _ in crowd_times(results, "clusters")[-FITTED_CROWDS:]]
+    return {"exponent": crowd_exponent(results, "clusters"), "fitted": fitted, "yes_no_exponent": crowd_exponent(results, "clusters_yes_no"), "rows": rows,
             "plot": Plot("time of a frame", "characters", "us", lines, log_x=True, log_y=True).svg()}

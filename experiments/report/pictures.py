@@ -91,7 +91,7 @@ def failing(pictures, default):
         return f"{NEAR[p.variant]}: a ball of level {p.level}, radius {p.numbers['radius']:.3g}{end}"
     ends = ": its balls leave vertices outside." if pictures[0].count("balls_that_miss") else ": no ball misses a vertex in it."
     return Figure(f"{pictures[0].model}: where the printed algorithm fails",
-                  f"The {pictures[0].pose} (of 4 angles of each joint the worst for Algorithm 1 as printed)" + ends, captioned(pictures, caption), columns=4,
+                  f"The {pictures[0].pose} (of 4 angles of each joint the worst for Algorithm 1 as printed, with the skinning’s signs)" + ends, captioned(pictures, caption), columns=4,
                   legend=[("missing", "the printed ball, and vertices outside their ball"),
                           ("without", "vertices whose “ball” has a negative radius or is no number"), ("holding", "balls that hold all their vertices")])
 

@@ -46,13 +46,13 @@ class Units {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// Returns the result of make(), or of the run that made it before. options are the settings of the experiment. model is what
-// identify() returns for it, or empty.
+// Returns the result of make(), or of the run that made it before. options are the settings of the experiment. of identifies what else
+// the result is made of, such as a model (identify()) or another program; it may be empty.
 template <class Make, class Options>
-auto resumed_or(Units& run, const std::string& unit, const Options& options, const std::string& model, const Make& make) {
+auto resumed_or(Units& run, const std::string& unit, const Options& options, const std::string& of, const Make& make) {
   using Result = decltype(make());
   run.begin(unit);
-  const std::string inputs = nlohmann::json(options).dump() + (model.empty() ? "" : ", model " + model);
+  const std::string inputs = nlohmann::json(options).dump() + (of.empty() ? "" : ", of " + of);
   if (const auto kept = run.folder.find(unit, inputs)) {
     std::cout << "resumed: " << unit << " was finished before" << std::endl;
     return nlohmann::json::from_cbor(*kept).get<Result>();

@@ -18,7 +18,7 @@ struct BatchSpeed {
   std::string item;  // that ns is for: "vertex", "sphere", "joint_set"
   double ns;         // median over the repetitions
   double ratio;      // to scalar, the median over the repetitions
-  double to_linear;  // of refits: to the linear refit done the same way, else 0
+  double to_linear;  // of refits: to the linear refit done the same way, which is timed apart, a ratio of medians; else 0
 };
 
 // Measures every available target. Throws std::logic_error if a batch's result is wrong, that is, if skinned vertices are not

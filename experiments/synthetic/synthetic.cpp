@@ -26,10 +26,7 @@ struct Measured {
   double looseness = std::numeric_limits<double>::quiet_NaN();  // not a number: no ball, or nothing to enclose
 };
 
-struct MeasuredCase {
-  bool is_degenerate;
-  std::vector<Measured> variants;
-};
+using MeasuredCase = std::vector<Measured>;  // by variant
 
 MeasuredCase measure(const SyntheticSettings& settings, std::size_t number) {
   const SyntheticCase synthetic = make_synthetic_case(settings.seed, number);
@@ -40,24 +37,23 @@ MeasuredCase measure(const SyntheticSettings& settings, std::size_t number) {
     const double smallest = images.smallest_radius();
     skinned.emplace(s, std::pair(std::move(images), smallest));
   }
-  MeasuredCase out{!synthetic.degeneracy.empty(), {}};
+  MeasuredCase out;
   for (const RefitVariant& variant : compared_variants()) {
     auto& [images, smallest] = skinned.at(variant.skinning);
     const Ball3<double> ball = variant.refit(nodes.node(variant.pieces));
     Measured m{images.score(ball)};
     // Vertices that hardly move have a smallest ball of rounding errors, and a ratio to it would say nothing.
     if (!m.score.undefined && !m.score.unbounded && smallest > 1e-9) m.looseness = ball.radius / smallest;
-    out.variants.push_back(m);
+    out.push_back(m);
   }
   return out;
 }
 
-SyntheticResult summary(const std::vector<MeasuredCase>& cases, std::size_t variant, const std::string& share) {
-  SyntheticResult out{compared_variants()[variant].name, share};
+SyntheticResult summary(const std::vector<MeasuredCase>& cases, std::size_t variant) {
+  SyntheticResult out{compared_variants()[variant].name};
   std::vector<double> looseness;
   for (const MeasuredCase& q : cases) {
-    if (share != "all" && q.is_degenerate != (share == "degenerate")) continue;
-    const Measured& m = q.variants[variant];
+    const Measured& m = q[variant];
     ++out.cases;
     out.undefined += m.score.undefined;
     out.unbounded += m.score.unbounded;
@@ -99,9 +95,8 @@ void print_table(const std::vector<SyntheticResult>& results) {
   std::printf("  %-30s %9s %9s %12s %9s | %8s %8s %8s | %9s\n", "all cases", "undefined", "missed", "> tolerance", "worst",
               "mean", "median", "max", "ns, rough");
   for (const SyntheticResult& r : results)
-    if (r.share == "all")
-      std::printf("  %-30s %9ld %9ld %12ld %9.1e | %8.3f %8.3f %8.3g | %9.0f\n", r.variant.c_str(), r.undefined, r.misses,
-                  r.misses_beyond_tolerance, r.worst_miss, r.looseness_mean, r.looseness_median, r.looseness_max, r.ns_per_refit);
+    std::printf("  %-30s %9ld %9ld %12ld %9.1e | %8.3f %8.3f %8.3g | %9.0f\n", r.variant.c_str(), r.undefined, r.misses,
+                r.misses_beyond_tolerance, r.worst_miss, r.looseness_mean, r.looseness_median, r.looseness_max, r.ns_per_refit);
   std::printf(
       "  missed: cases with a vertex outside, decided exactly; beyond the tolerance of %.0e of the coordinates' size "
       "it is not "
@@ -123,11 +118,10 @@ std::vector<SyntheticResult> run_synthetic(const SyntheticSettings& settings) {
   });
   const std::vector<double> ns = nanoseconds(settings);
   std::vector<SyntheticResult> results;
-  for (std::size_t v = 0; v < compared_variants().size(); ++v)
-    for (const char* share : {"all", "general", "degenerate"}) {
-      results.push_back(summary(cases, v, share));
-      if (results.back().share == "all") results.back().ns_per_refit = ns[v];
-    }
+  for (std::size_t v = 0; v < compared_variants().size(); ++v) {
+    results.push_back(summary(cases, v));
+    results.back().ns_per_refit = ns[v];
+  }
   print_table(results);
   return results;
 }
@@ -136,7 +130,7 @@ void write_synthetic(const std::vector<SyntheticResult>& results, const Syntheti
   ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit"});
   for (const SyntheticResult& r : results) {
     const auto add = [&](const char* quantity, double value, const char* unit) {
-      file.add({"synthetic", "synthetic", r.share, r.variant, "all", quantity, format_number(value), unit}, settings.seed);
+      file.add({"synthetic", "synthetic", "all", r.variant, "all", quantity, format_number(value), unit}, settings.seed);
     };
     add("cases", static_cast<double>(r.cases), "1");
     add("undefined", static_cast<double>(r.undefined), "1");

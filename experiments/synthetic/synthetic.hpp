@@ -10,7 +10,7 @@
 namespace refitlab {
 
 struct SyntheticResult {
-  std::string variant, share;  // share: "all", "general" or "degenerate" cases
+  std::string variant;
   long cases = 0, undefined = 0;
   long unbounded = 0;                            // all of space: no ball holds what dual quaternions make of a blend near 0
   long misses = 0, misses_beyond_tolerance = 0;  // cases with a missed vertex, undefined ones among them

@@ -37,7 +37,6 @@ struct LevelVolumes {
   double ball_sum = 0;          // of the radii of the same nodes' balls of control_mixed
   long solid_nodes = 0;         // those with a ball that has a volume
   double volume_ratio_sum = 0;  // of these nodes, volume / volume of that ball
-  double size_avg() const { return size_sum / static_cast<double>(nodes); }
   double ratio_to_optimal() const { return size_sum / optimal_sum; }
   double size_to_ball() const { return size_sum / ball_sum; }
   double volume_to_ball() const { return volume_ratio_sum / static_cast<double>(solid_nodes); }

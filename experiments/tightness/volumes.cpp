@@ -171,12 +171,10 @@ void write_volumes(const VolumeResults& results, const std::string& path) {
           file.add({"volumes", r.model, r.pose, column.first, std::to_string(l + 1), quantity, format_number(value), unit,
                     r.pose_kind, std::to_string(r.poses)});
         };
-        add("size_avg", level.size_avg(), "model unit");
         // A single point has no ratio.
         if (level.optimal_sum > 0) add("ratio_to_optimal", level.ratio_to_optimal(), "1");
         if (level.ball_sum > 0) add("size_to_ball", level.size_to_ball(), "1");
         if (level.solid_nodes > 0) add("volume_to_ball", level.volume_to_ball(), "1");
-        add("nodes", static_cast<double>(level.nodes), "1");
         add("misses", static_cast<double>(level.misses), "1");
       }
   for (const VolumeCost& cost : results.costs) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How tight refits of deformed characters are: the radius of a level's balls over that of the smallest balls of its deformed vertices,
 // on the level where this is worst. The default variants and the tightest ones, for characters whose joints scale, and for
-// those with morph targets. The goals are 12 % for the defaults and 5 % for the tightest; the man's worst are 10.1 % and 2.9 %.
+// those with morph targets. The goals are 12 % for the defaults and 5 % for the tightest; the man's worst are 10.1 % and 2.9 %. No
+// refit reaches the smallest balls on all levels, so a worst level that is hardly too large would be one that was measured wrongly.
+#include <algorithm>
 #include <cstdio>
 
 #include "experiments/deformations/deformed_levels.hpp"
@@ -16,10 +18,12 @@ using namespace refitlab;
 
 constexpr double shares[] = {0.2, 0.7};
 
+// Passes if no ball misses a vertex, no worst level has a ratio above most, and some level has one above least.
 Checked check(const DeformingCharacters& characters, std::initializer_list<const char*> variants,
-              std::initializer_list<DeformationKind> kinds, double most) {
+              std::initializer_list<DeformationKind> kinds, double least, double most) {
   std::string text;
   bool passed = true;
+  double greatest = 0;
   long count = 0;
   for (const char* name : variants) {
     text += std::string(name) + ":";
@@ -32,12 +36,13 @@ Checked check(const DeformingCharacters& characters, std::initializer_list<const
       std::snprintf(part, sizeof part, " %s %.4f (level %d),", kind.name, worst.ratio, worst.level);
       text += part;
       passed = passed && worst.ratio <= most && all_misses(levels) == 0;
+      greatest = std::max(greatest, worst.ratio);
       ++count;
     }
     text.back() = ';';
     text += ' ';
   }
-  return Checked(passed, count, text);
+  return Checked(passed && greatest > least, count, text);
 }
 
 }  // namespace
@@ -48,12 +53,12 @@ PROPTEST(deformed_tightness) {
   const Options options{.number_type = "double"};
   t.example("the default variants' balls of the man, scaled and morphed, are on no level by more than 12 % too large", options,
             [&] {
-              return check(man, defaults, {scaled_kind, scaled_along_axes_kind, morphed_kind, both_kind}, 1.12);
+              return check(man, defaults, {scaled_kind, scaled_along_axes_kind, morphed_kind, both_kind}, 1.05, 1.12);
             });
-  t.example("the tightest variant's balls of the man, scaled and morphed, are on no level by more than 3.5 % too large", options,
-            [&] {
-              return check(man, {"control_many_pieces"}, {scaled_kind, scaled_along_axes_kind, morphed_kind, both_kind}, 1.035);
-            });
+  t.example(
+      "the tightest variant's balls of the man, scaled and morphed, are on no level by more than 3.5 % too large", options, [&] {
+        return check(man, {"control_many_pieces"}, {scaled_kind, scaled_along_axes_kind, morphed_kind, both_kind}, 1.01, 1.035);
+      });
 }
 
 }  // namespace proptests::suite_deformed_tightness

@@ -5,12 +5,16 @@
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/model/keyed.hpp"
+#include "algorithms/results/result_file.hpp"
 #include "experiments/over_time/clip_checks.hpp"
 #include "experiments/over_time/crossfade_checks.hpp"
 #include "experiments/over_time/exact_places.hpp"
+#include "experiments/over_time/over_time.hpp"
 #include "experiments/over_time/repeated.hpp"
 #include "experiments/over_time/sampled_boxes.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/skinning_name.hpp"
+#include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_over_time_experiment {
@@ -44,11 +48,15 @@ ClipResult checked(const ModelBounds& some) {
   return check_clip(man(), sets(), some, 0, {.random_times = 60, .halvings = 4, .exact_checks = 3});
 }
 
-// Closes in on the vertices from above, by a share of a side: of the whole character, or of a cluster.
-ModelBounds too_small(std::size_t part, float share) {
+// The bound of the whole character (part 0) or of a cluster in the first clip.
+BoundedPart& bound_of(ModelBounds& some, std::size_t part) { return some.clips[0].parts[compared_parts(some)[part]]; }
+
+// Closes in on the vertices from above, by a share of the box's height.
+void lower(Box<float>& box, float share) { box.high[1] -= share * (box.high[1] - box.low[1]); }
+
+ModelBounds too_small(std::initializer_list<std::pair<std::size_t, float>> shares) {
   ModelBounds some = bounds();
-  Box<float>& box = some.clips[0].parts[compared_parts(some)[part]].box;
-  box.high[1] -= share * (box.high[1] - box.low[1]);
+  for (const auto& [part, share] : shares) lower(bound_of(some, part).box, share);
   return some;
 }
 
@@ -103,6 +111,15 @@ void clips_repeated_and_sampled(Suite& t) {
     const double time = *rc::gen::inRange(0, 3000) / 1000.;
     for (int n = 0; n < 3; ++n) RC_ASSERT(std::abs(weights_at(longer, time + 3 * n)[0] - weights_at(track, time)[0]) < 1e-9);
   });
+  t.example("the ways of sampling take 30 and 60 times a second, and the keys", {}, [] {
+    const auto count_of = [](const std::string& name) {
+      const auto& ways = sampling_ways();
+      return sampled_times(*std::find_if(ways.begin(), ways.end(), [&](const SamplingWay& way) { return way.name == name; }),
+                           {0, 0.25, 1})
+          .size();
+    };
+    return sampling_ways().size() == 3 && count_of("keys") == 3 && count_of("30 Hz") == 31 && count_of("60 Hz") == 61;
+  });
   t.holds("sampled times are no more than a step apart and end with the clip", {.cases = 200}, [] {
     const double end = *rc::gen::inRange(0, 200) / 64.;
     for (const SamplingWay& way : sampling_ways()) {
@@ -127,7 +144,7 @@ void bounds_are_compared_with_what_is_seen(Suite& t) {
     long cases = 0;
     for (std::size_t part = 0; part <= clusters; part += 4)
       for (const float share : {0.05F, 0.3F}) {
-        const ModelBounds some = too_small(part, share);
+        const ModelBounds some = too_small({{part, share}});
         const ClipResult result = checked(some);
         const ClipMisses& ours = of_bounds(result);
         const Miss& miss = part == 0 ? ours.of_whole : ours.of_cluster;
@@ -141,6 +158,46 @@ void bounds_are_compared_with_what_is_seen(Suite& t) {
       }
     return Checked(cases > 0, cases);
   });
+}
+
+void whoever_gets_out_is_found(Suite& t) {
+  t.example("of clusters that get out the worst one is kept, whichever comes first", {}, [] {
+    constexpr std::size_t one = 4, other = 8;
+    const auto by_alone = [](std::size_t part, float share) {
+      return of_bounds(checked(too_small({{part, share}}))).of_cluster.by;
+    };
+    for (const auto& [share, of_other] : {std::pair(0.05F, 0.3F), std::pair(0.3F, 0.05F)}) {
+      const ClipMisses both = of_bounds(checked(too_small({{one, share}, {other, of_other}})));
+      const double by = by_alone(one, share), by_other = by_alone(other, of_other);
+      if (by == by_other || both.clusters != 2 || both.of_cluster.by != std::max(by, by_other)) return false;
+      if (both.worst_cluster != static_cast<int>(by > by_other ? one : other) - 1) return false;
+    }
+    return true;
+  });
+  t.example("who gets out of a ball is found as well as who gets out of a box, and only our bounds have balls", {}, [] {
+    const ClipResult good = checked(bounds());
+    for (const std::size_t part : {0, 1}) {
+      ModelBounds some = bounds();
+      bound_of(some, part).ball.radius = 0;
+      const ClipResult result = checked(some);
+      const ClipMisses& ours = of_bounds(result);
+      if ((ours.of_whole.vertex >= 0) != (part == 0) || ours.clusters != (part == 0 ? 0 : 1)) return false;
+      for (std::size_t way = 1; way < result.misses.size(); ++way)
+        if (result.misses[way].clusters != good.misses[way].clusters) return false;
+    }
+    return true;
+  });
+  t.example("every vertex of every part is compared at every time", {}, [] {
+    long vertices = 0;
+    for (const std::size_t p : compared_parts(bounds())) vertices += static_cast<long>(bounds().parts[p].vertices.size());
+    const auto places = [](int times) {
+      return check_clip(man(), sets(), bounds(), 0, {.random_times = times, .halvings = 0, .exact_checks = 0}).places;
+    };
+    return places(60) - places(20) == 40 * vertices && places(20) >= 20 * vertices && checked(bounds()).places > places(60);
+  });
+}
+
+void crossfades_are_compared_with_what_is_seen(Suite& t) {
   t.example("what gets out of the bounds of a crossfade is counted, and they are compared with what is seen", {}, [] {
     Model model = man();
     model.clips = {model.clips[0], model.clips[0]};
@@ -148,10 +205,7 @@ void bounds_are_compared_with_what_is_seen(Suite& t) {
     const CrossfadeSettings settings{.times = 9, .weights = 3};
     const CrossfadeResult good = check_crossfade(model, sets(), some, 0, settings);
     const std::size_t cluster = compared_parts(some)[1];
-    for (const std::size_t p : {std::size_t{0}, cluster}) {
-      Box<float>& box = some.crossfades[0].parts[p].box;
-      box.high[1] -= 0.5f * (box.high[1] - box.low[1]);
-    }
+    for (const std::size_t p : {std::size_t{0}, cluster}) lower(some.crossfades[0].parts[p].box, 0.5F);
     const CrossfadeResult bad = check_crossfade(model, sets(), some, 0, settings);
     // Of a ball around a place at the middle, all but that place is outside.
     ModelBounds flat = bound_model(model, {.cluster_triangles = 0, .crossfades = true});
@@ -164,6 +218,67 @@ void bounds_are_compared_with_what_is_seen(Suite& t) {
                        none.outside == 1 && none.clusters == 0 && none.cluster_ratio == 1,
                    3);
   });
+  t.example("the parts that leave the bounds of both clips are counted, which none does while either clip plays alone", {}, [] {
+    Model model = man();
+    model.clips = {model.clips[0], model.clips[0]};
+    ModelBounds some = bound_model(model, {.cluster_triangles = 512, .crossfades = true});
+    const CrossfadeSettings alone{.times = 9, .weights = 2};  // 0 and 1
+    const long of_good = check_crossfade(model, sets(), some, 0, alone).out_of_both_clips;
+    // All vertices but the lowest are above a box without height.
+    for (BoundedClip& clip : some.clips)
+      for (BoundedPart& part : clip.parts) lower(part.box, 1);
+    const CrossfadeResult flat = check_crossfade(model, sets(), some, 0, alone);
+    return of_good == 0 && flat.out_of_both_clips == flat.clusters + 1 && flat.clusters > 3 && flat.outside == 0;
+  });
+}
+
+// The rows of a result file that have these cells one after another.
+long rows_with(const std::string& text, const std::string& cells) {
+  long count = 0;
+  for (std::size_t at = text.find(cells); at != std::string::npos; at = text.find(cells, at + 1)) ++count;
+  return count;
+}
+
+void results_are_written(Suite& t) {
+  t.example("the results of a model are of all ways of skinning and of its clusters, and rows have each number of them", {}, [] {
+    const Model model = keyed(make_man(1034), 10);
+    const std::vector<ModelPart> parts = parts_of(model, ModelBoundsOptions{}.cluster_triangles);
+    const long clusters =
+        std::count_if(parts.begin(), parts.end(), [](const ModelPart& part) { return part.kind == PartKind::cluster; });
+    const OverTimeSettings settings{.random_times = 10, .halvings = 1, .exact_checks = 2, .clips = 1};
+    const std::vector<OverTimeResult> results = run_over_time(model, settings);
+    const gen::TemporaryFolder folder;
+    write_over_time(results, settings, folder.file("over_time.csv"));
+    const std::string text = read_whole(folder.file("over_time.csv"));
+    if (results.size() != 3 || clusters < 3) return false;
+    for (const OverTimeResult& r : results) {
+      const std::string skinning = table_name_of(r.skinning);
+      const auto has = [&](const std::string& clip, const std::string& way, const std::string& quantity, double value,
+                           const std::string& unit = "1") {
+        return rows_with(text, "," + clip + "," + way + ",all," + quantity + "," + format_number(value) + "," + unit + "," +
+                                   skinning + ",") == 1;
+      };
+      if (r.clusters != clusters || r.triangles != static_cast<long>(model.triangles.size())) return false;
+      if (r.clips.size() + r.refused.size() != 1) return false;
+      if (!has("all", "bounds", "clusters", static_cast<double>(clusters)) ||
+          !has("all", "bounds", "refused_clips", static_cast<double>(r.refused.size())))
+        return false;
+      for (const ClipResult& c : r.clips) {
+        for (const auto& [quantity, value] :
+             {std::pair("places", c.places), std::pair("close_times", c.close_times), std::pair("exact_checks", c.exact_checks),
+              std::pair("flat_clusters", c.flat_clusters)})
+          if (!has(c.clip, "bounds", quantity, static_cast<double>(value))) return false;
+        if (!has(c.clip, "bounds", "whole_ratio", c.whole_ratio) || !has(c.clip, "bounds", "cluster_ratio", c.cluster_ratio))
+          return false;
+        for (const ClipMisses& m : c.misses)
+          if (!has(c.clip, m.way, "whole_missed", m.of_whole.vertex >= 0) || !has(c.clip, m.way, "whole_by", m.of_whole.by) ||
+              !has(c.clip, m.way, "clusters_missed", static_cast<double>(m.clusters)) ||
+              !has(c.clip, m.way, "cluster_by", m.of_cluster.by))
+            return false;
+      }
+    }
+    return results[0].clips.size() == 1;
+  });
 }
 
 }  // namespace
@@ -171,6 +286,9 @@ void bounds_are_compared_with_what_is_seen(Suite& t) {
 PROPTEST(over_time_experiment) {
   clips_repeated_and_sampled(t);
   bounds_are_compared_with_what_is_seen(t);
+  whoever_gets_out_is_found(t);
+  crossfades_are_compared_with_what_is_seen(t);
+  results_are_written(t);
   t.holds("many digits decide for a box or a ball what is well inside or outside, for each skinning", {.cases = 40}, [] {
     const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::dual_quaternion);
     const Place place{*rc::gen::inRange(0, static_cast<int>(man().vertices.size())),
