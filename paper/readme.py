@@ -40,8 +40,8 @@ Measured on six characters with `{command_of(results, "tightness")}` (commit {co
 average radius over that of the smallest balls of the deformed vertices. On the worst level of the worst clip it is {worst['spherical_repaired']} for `spherical_repaired`,
 {worst['control_mixed']} for `control_mixed` and {worst['control_many_pieces']} for `control_many_pieces`. Where a joint is twisted by 170 degrees or more, it is at most {twist} on
 any level for `control_mixed`. The cost of a sphere, relative to `spherical_repaired` in the same run, is {from_to(content.cost_ratios(results, 'control_mixed'))} for `control_mixed`
-and {from_to(content.cost_ratios(results, 'control_many_pieces'))} for `control_many_pieces`. Where anything is near, queries of the man refit {from_to(content.fewer_spheres(results))} times fewer
-spheres with `control_mixed`; but these are mostly on the upper levels of the tree, where a sphere costs up to {digits(upper, 2)} times as much. A whole query, far ones too, takes
+and {from_to(content.cost_ratios(results, 'control_many_pieces'))} for `control_many_pieces`. Where two walking men are near each other, their queries with `spherical_repaired` refit
+{from_to(content.fewer_spheres(results))} times as many spheres as with `control_mixed`. But those of `control_mixed` are mostly on the upper levels of the tree, where a sphere costs up to {digits(upper, 2)} times as much. A whole query, far ones too, takes
 {digits(slower.least, 2)} to {digits(slower.most, 2)} times as long as with `spherical_repaired`. In batches of SIMD packs (`algorithms/runtime/batch`), refitting all spheres of a tree by Algorithm 1 repaired costs
 with AVX-512 1/{min(gains):.0f} to 1/{max(gains):.0f} of refitting them one by one, in float in place of double.
 """
@@ -64,14 +64,14 @@ def queries_block(results):
     return f"""\
 The table gives the microseconds a frame, from pose to pairs, to find all touching pairs of two walking men of 8270 triangles each
 (`{command_of(results, "collision")}`; commit {commit}, {cpu}, one thread). Every set of pairs is checked: against brute force, and in the largest models against that of the third row. All rows but the last compare triangles in
-packs of floats first. The first three rows skin in float; the vertices of the engines and of the last row are skinned in double. The last four columns compare with Embree alone.
+packs of floats first. The first three rows skin in float; the vertices of the engines and of the last row are skinned in double. In the last four columns, the fourth row is Embree.
 
 | | {' | '.join(heads)} |
 |---|{'---|' * len(heads)}
 """ + "\n".join(rows) + f"""
 
-In contact most of the time goes into comparing triangles, which all of these must do. Whoever compares them as the third row does, and needs no time at
-all for skinning and bounds, would be {ceilings['light']} times as fast as it in *light*, and {ceilings['heavy']} times in *heavy*. In *far* any method is as fast behind a box
+In contact most of the time goes into comparing triangles, which all of these must do. If the third row needed no time at
+all for skinning and bounds, it would be {ceilings['light']} times as fast in *light*, and {ceilings['heavy']} times in *heavy*. In *far* any method is as fast behind a box
 around the whole character, such as our motion bound: the third row then takes {digits(content.time_of(results, 'far', 'skin_all_float_bounded'), 2)} microseconds.
 """
 
@@ -87,8 +87,8 @@ def over_time_block(results):
     cluster = {s: f"{over_time.cluster_ratio(results, skinning=s):.3f}" for s in over_time.SKINNINGS}
     triangles, bounding, written = over_time.peaks(results)[-1]
     return f"""\
-What gets out of its box between sampled times, in {clips} clips of six characters with clusters of 128 triangles, linear skinning, and by how much
-of the box's longest side at most (`{command_of(results, "over_time")} --only over_time`; commit {commit}):
+The table counts the characters, and the clusters of 128 triangles, of which a vertex leaves the box between sampled times, in {clips} clips of six characters
+with linear skinning. *By* is the greatest distance from the box, as a share of its longest side (`{command_of(results, "over_time")} --only over_time`; commit {commit}):
 
 | | characters out | by | clusters out | by |
 |---|---|---|---|---|
@@ -110,7 +110,7 @@ def engines_block(results):
     twisted = {s: engines.row_of(results, engines.OURS, s)["twists"] for s in over_time.SKINNINGS}
     undecided = round(sum(row.value for row in results.find("engines", quantity="undecided")))
     unseen = engines.unseen(results)
-    of_others = (f". In {unseen['clips']} clips of models\nwith others, boxes that are fitted to the others alone have {unseen['mean']:.3f}, where these have "
+    of_others = (f". For {unseen['clips']} clips, boxes were\nalso fitted to the model's other clips alone. They have {unseen['mean']:.3f}, where boxes fitted to all clips have "
                  f"{unseen['fitted']:.3f} and the true box {unseen['true']:.3f}") if unseen else ""
     any_ratio = {s: engines.row_of(results, "motion_bound", s) for s in ("dual_quaternion", "spherical")}
     return f"""\
@@ -122,7 +122,7 @@ of skinning, in which a vertex is outside; where double precision cannot tell, {
 |---|---|---|---|---|---|---|
 """ + "\n".join(rows) + f"""
 
-Rounded boxes should have at most {goals['volume']} of the volume of joint boxes on average, at most at their cost. They have {volume['mean']:.3f}, {'as they should' if volume['mean'] <= goals['volume'] else 'more than they should'}, where the
+The goal for rounded boxes is {goals['volume']} of the volume of joint boxes on average or less, at no higher cost. They have {volume['mean']:.3f}, {'as they should' if volume['mean'] <= goals['volume'] else 'more than they should'}, where the
 true box has {volume['true']:.3f}; {volume['reached']} of {volume['clips']} clips are within the goal. They are fitted to twelve poses of each of these clips{of_others}. Their cost is {cost['ratio']:.2f} of that of joint boxes from a pose, and {cost['ratio_of_matrices']:.2f} from the matrices that
 skinning needs anyway, {'as it should be' if max(cost['ratio'], cost['ratio_of_matrices']) <= goals['cost'] else 'more than it should be'}. Rounded boxes and capsules are sound for linear skinning alone: when each joint is twisted by 90 to 179 degrees, rounded boxes miss a vertex in {twisted['linear'][0]} of
 {twisted['linear'][1]} poses with linear, {twisted['dual_quaternion'][0]} with dual quaternion and {twisted['spherical'][0]} with spherical skinning. The motion bound is sound for all three. It has {any_ratio['dual_quaternion']['volume_ratio']:.2f} and {any_ratio['spherical']['volume_ratio']:.2f} times the
@@ -136,7 +136,7 @@ def deformations_block(results):
     misses = deformations.misses(results)
     return f"""\
 Characters whose joints scale or whose morph targets move, generated and real (`{command_of(results, "deformations")} --only deformations`; commit {commit}): of {deformations.balls(results):,} balls
-{'none misses' if misses == 0 else f'{misses} miss'} a vertex. Of the average radius over that of the smallest balls, on the worst level of the worst character, {"; ".join(said)}.
+{'none misses' if misses == 0 else f'{misses} miss'} a vertex. The tightness is the average radius over that of the smallest balls, on the worst level of the worst character: {"; ".join(said)}.
 The default refits cost {from_to(deformations.cost_ratios(results))} times as much as those of the rigid character.
 """
 
