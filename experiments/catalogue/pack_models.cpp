@@ -16,7 +16,7 @@ const char* const procedural[] = {"man", "creature"};
 void check(const Model& model, const Model& unpacked) {
   double size = 0;
   for (const Point3& v : model.vertices) size = std::max(size, v.norm());
-  const auto near = [&](const Point3& a, const Point3& b) { return (a - b).norm() <= 1e-6 * size; };
+  const auto near = [&](const Point3& a, const Point3& b) { return (a - b).norm() <= 1e-6 * std::max(size, a.norm()); };
   bool same = model.triangles == unpacked.triangles && model.vertices.size() == unpacked.vertices.size() &&
               model.clips.size() == unpacked.clips.size();
   for (std::size_t v = 0; same && v < model.vertices.size(); ++v) {

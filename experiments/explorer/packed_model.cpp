@@ -61,6 +61,16 @@ Clip unpack_clip(const json& j, std::size_t joints) {
           }};
 }
 
+// The page asks for joints and clips by name, which files may give twice. What has the name of one before it gets its number,
+// too.
+void tell_apart(auto& things) {
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const auto own = things.begin() + static_cast<std::ptrdiff_t>(i);
+    while (std::any_of(things.begin(), own, [&](const auto& thing) { return thing.name == own->name; }))
+      own->name += " #" + std::to_string(i + 1);
+  }
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> pack(const Model& m) {
@@ -112,6 +122,7 @@ Model unpack(const std::vector<std::uint8_t>& packed) {
     m.triangles.push_back({triangles[i], triangles[i + 1], triangles[i + 2]});
   for (std::size_t i = 0; i < names.size(); ++i) m.joints.push_back({names[i], parents[i], point(origins, i)});
   for (const json& clip : j.at("clips")) m.clips.push_back(unpack_clip(clip, names.size()));
+  tell_apart(m.joints), tell_apart(m.clips);
   validate(m);
   return m;
 }
