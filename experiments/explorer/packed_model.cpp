@@ -11,7 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double poses_per_second = 24, most_steps = 120;
+constexpr double poses_per_second = 24;
+constexpr int most_steps = 120;
 constexpr double weight_unit = 1. / (1 << 24);
 
 template <class T>
@@ -35,7 +36,7 @@ void add(std::vector<float>& to, const auto& from) {
 }
 
 json pack_clip(const Clip& clip) {
-  const int steps = std::clamp(static_cast<int>(std::ceil(clip.duration * poses_per_second)), 1, static_cast<int>(most_steps));
+  const int steps = packed_steps(clip);
   std::vector<float> numbers;
   for (int i = 0; i <= steps; ++i)
     for (const auto& c : clip.sample(clip.duration * i / steps)) add(numbers, c.rotation), add(numbers, c.translation);
@@ -72,6 +73,10 @@ void tell_apart(auto& things) {
 }
 
 }  // namespace
+
+int packed_steps(const Clip& clip) {
+  return std::clamp(static_cast<int>(std::ceil(clip.duration * poses_per_second)), 1, most_steps);
+}
 
 std::vector<std::uint8_t> pack(const Model& m) {
   std::vector<float> vertices, origins;
