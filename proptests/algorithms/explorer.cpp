@@ -98,7 +98,7 @@ void views_of_a_pose(Suite& t) {
         const AnimatedCharacter& c = explorer.character("man");
         ExplorerSettings settings = settings_of_few(c);
         settings.model = "man", settings.variant = "spherical_printed_signed", settings.clip = "", settings.time = 0,
-        settings.level = 13;
+        settings.level = std::min(13, c.tree.level_count());
         const ExplorerView view = explorer.view(settings);
         const std::vector<int> nodes = nodes_of_level(c.tree, settings.level);
         const double tolerance = miss_tolerance * c.tree.nodes[0].reference.radius;

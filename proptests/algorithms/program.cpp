@@ -601,10 +601,11 @@ void what_a_summary_says(Suite& t) {
       const Called called = call({"bake", "--clusters", "4", "--json", to, file, out});
       if (called.code != 0) return Checked(false, 0, called.errors);
       const json summary = json::parse(read_whole(to));
+      const json clips = summary.value("clips", json());
       const Model model = load_model(file, {.joints = Joints::affine, .morphs = Morphs::moving});
       if (summary.at("file") != file || summary.at("skinning") != "linear" || summary.at("tolerance") != 0.01 ||
           summary.at("triangles") != model.triangles.size() || summary.at("vertices") != model.vertices.size() ||
-          summary.at("moments") <= 0 || !summary.at("clips").is_array() || summary.at("clips").size() != model.clips.size() ||
+          summary.at("moments") <= 0 || !clips.is_array() || clips.size() != model.clips.size() ||
           model.triangles.size() == model.vertices.size())
         wrong += summary.dump();
     }
