@@ -112,6 +112,9 @@ check(models.length === 3 + packed.length, `models to choose from: ${models.join
 for (const model of models.slice(3)) {
   await control('model').selectOption(model);
   await page.waitForFunction(name => window.refitlabExplorer.character.settings.model === name, model);
+  const [near, distance, far] = await page.evaluate(() => (({camera, controls}) =>
+      [camera.near, camera.position.distanceTo(controls.target), camera.far])(window.refitlabExplorer.character.stage));
+  check(100 * near < distance && 10 * distance < far, `${model}: the camera, ${distance.toPrecision(3)} away, sees from ${near.toPrecision(3)} to ${far.toPrecision(3)}`);
   const clips = await page.evaluate(() => window.refitlabExplorer.character.character.clips);
   if (clips.length) await control('clip').selectOption(clips[0].name), await slide(control('time'), 0.4 * clips[0].duration);
   await step(model);
