@@ -39,7 +39,7 @@ po::options_description options() {
   po::options_description description("options");
   description.add_options()("help", "this text")("for", po::value<std::string>()->default_value("clip"),
                                                  "clip: the file's animations; crossfade: while any of them fades to any other, "
-                                                 "too; any: whatever code does with the joints, "
+                                                 "too; any: however code turns the joints, "
                                                  "too")("skinning", po::value<std::string>()->default_value("linear"),
                                                         "linear, as glTF says; dual-quaternion; or spherical")(
       "clusters", po::value<int>()->default_value(128),
@@ -49,14 +49,14 @@ po::options_description options() {
       "nodes", "bound each node of the character's tree, too; in clips alone")(
       "no-character", "leave out the character for refits on demand, which takes most of the memory and of the file")(
       "tolerance", po::value<double>()->default_value(0.01), "how much larger than needed a volume may be")(
-      "crossfade-tolerance", po::value<double>()->default_value(0.2), "the same of crossfades")(
+      "crossfade-tolerance", po::value<double>()->default_value(0.2, "0.2"), "the same of crossfades")(
       "rotations", po::value<std::string>()->default_value("slerp"),
       "slerp or nlerp: how crossfades blend rotations, on the shorter way; all else they blend linearly")(
       "json", po::value<std::string>(), "write what was measured to this file too")(
       "report", po::value<std::string>(),
       "write a page that shows the bounds, and what sampling would have missed, to this file")(
       "certificate", po::value<std::string>(), "write why the bounds hold to this file, for others to verify")(
-      "quiet", "show no progress");
+      "quiet", "show no progress and no notes");
   return description;
 }
 
@@ -94,6 +94,7 @@ BakeCall parse(const po::variables_map& map) {
     *tolerance = map[name].as<double>();
     if (!(*tolerance > 0 && *tolerance <= 1)) throw UsageError("--" + std::string(name) + " takes a number above 0, and up to 1");
   }
+  check_written({{"IN.glb", call.in}, {"OUT.glb", call.out}}, files_of(map, {"json", "report", "certificate"}));
   return call;
 }
 
@@ -120,7 +121,8 @@ std::string summary_json(const Model& model, const ModelBounds& bounds, const Ba
                                 {"triangles", model.triangles.size()},
                                 {"vertices", model.vertices.size()},
                                 {"seconds", seconds},
-                                {"moments", bounds.moments}};
+                                {"moments", bounds.moments},
+                                {"clips", nlohmann::ordered_json::array()}};
   if (!bounds.crossfades.empty()) out["crossfade_tolerance"] = call.bounds.crossfade_tolerance;
   if (peak.bounding && peak.all) out["peak_megabytes_bounding"] = *peak.bounding, out["peak_megabytes"] = *peak.all;
   for (const BoundedClip& clip : bounds.clips)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <mutex>
 #include <numeric>
 #include <ostream>
@@ -189,11 +191,18 @@ std::vector<ParameterMoment> moments_of_keys(const AnimatedJoints& joints) {
   return out;
 }
 
+// An option that is unsigned would take a number below 0 for a great one.
+unsigned seed_of(const po::variables_map& map) {
+  const auto seed = map["seed"].as<std::int64_t>();
+  if (seed < 0 || seed > std::numeric_limits<unsigned>::max()) throw UsageError("--seed takes a number from 0 to 4294967295");
+  return static_cast<unsigned>(seed);
+}
+
 int run_check(const std::vector<std::string>& arguments, std::ostream& out, std::ostream&) {
   po::options_description options("options");
   options.add_options()("help", "this text")("samples", po::value<int>()->default_value(1000),
                                              "random times a clip, and moments a crossfade")(
-      "seed", po::value<unsigned>()->default_value(1), "of the random times");
+      "seed", po::value<std::int64_t>()->default_value(1), "of the random times");
   const po::variables_map map = parse_arguments(arguments, options, {"FILE.glb"});
   if (map.count("help")) {
     out << "usage: refitlab check [OPTION...] FILE.glb\n\nSkins a baked file's vertices at the keys' times, at random times and "
@@ -204,6 +213,7 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
     return exit_done;
   }
   if (map["samples"].as<int>() < 1) throw UsageError("--samples takes a number above 0");
+  const unsigned seed = seed_of(map);
   const std::string file = map["FILE.glb"].as<std::string>();
   const BakedFile baked = read_baked(file);
   const Model model =
@@ -215,7 +225,6 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
   if (clusters.vertices.empty() && nodes.vertices.empty())
     throw ModelError(file, "clusters", "it has no bounds of them or of nodes, which are what is checked");
   const int samples = map["samples"].as<int>();
-  const unsigned seed = map["seed"].as<unsigned>();
   const bool needs_pose = baked.skinning != Skinning::linear;
   long missed = 0;
   const auto report = [&](const std::string& what, const Tally& tally) {

@@ -10,6 +10,7 @@
 #include "algorithms/program/command.hpp"
 #include "algorithms/program/json_text.hpp"
 #include "algorithms/program/posed_character.hpp"
+#include "algorithms/results/result_file.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 
@@ -52,7 +53,7 @@ po::options_description collide_options() {
         po::value<std::string>()->default_value(""));
     add(("time-" + side).c_str(), "seconds", po::value<double>()->default_value(0));
   }
-  add("at", "x, y and z: where B stands; options of files come before it", po::value<std::vector<double>>()->multitoken());
+  add("at", "x, y and z: where B stands; A and B come before it", po::value<std::vector<double>>()->multitoken());
   add("skinning", "linear, dual-quaternion or spherical", po::value<std::string>()->default_value("linear"));
   add("pairs", "list the pairs");
   add("json", "write the pairs to this file", po::value<std::string>());
@@ -61,6 +62,16 @@ po::options_description collide_options() {
       "write the posed bodies to files of this name with .first and .second, for a certificate to be checked against",
       po::value<std::string>());
   return description;
+}
+
+// Returns the files that a call writes besides the standard output.
+std::vector<NamedFile> written_files(const po::variables_map& map) {
+  std::vector<NamedFile> out = files_of(map, {"json", "certificate", "documents"});
+  if (!map.count("documents") || out.back().path.empty()) return out;
+  const NamedFile documents = out.back();
+  out.pop_back();
+  for (const char* end : {".first", ".second"}) out.push_back({documents.of, documents.path + end});
+  return out;
 }
 
 int run_collide(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& errors) {
@@ -76,7 +87,7 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
   RigidTransform<double> here{{1, 0, 0, 0}, {0, 0, 0}}, there = here;
   if (map.count("at")) {
     const auto& at = map["at"].as<std::vector<double>>();
-    if (at.size() != 3) throw UsageError("--at takes three numbers");
+    if (at.size() != 3 || !Point3(at[0], at[1], at[2]).allFinite()) throw UsageError("--at takes three numbers that are finite");
     there.translation = {at[0], at[1], at[2]};
   }
   const auto posed = [&](const std::string& file, const char* side) {
@@ -88,11 +99,12 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
       throw UsageError("--time-" + std::string(side) + " is that of a clip: --clip-" + side + " names it");
     const double time = given.as<double>();
     if (clip && !(time >= 0 && time <= clip->duration))
-      throw UsageError("--time-" + std::string(side) + ": the clip goes from 0 to " + std::to_string(clip->duration) + " s");
+      throw UsageError("--time-" + std::string(side) + ": the clip goes from 0 to " + format_number(clip->duration) + " s");
     const Animation animation = clip ? clip->animation : Animation{};
     return posed_character(std::move(model), animation, time, skinning);
   };
   const std::string file_a = map["A"].as<std::string>(), file_b = map["B"].as<std::string>();
+  check_written({{"A", file_a}, {"B", file_b}}, written_files(map));
   const std::string name_a = posed_name(file_a, map, "a"), name_b = posed_name(file_b, map, "b");
   const PosedCharacter first = posed(file_a, "a"), second = posed(file_b, "b");
   const ClusterTree tree_a(first.character), tree_b(second.character);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/program/command.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <ostream>
 
 namespace refitlab {
@@ -9,6 +11,14 @@ namespace {
 
 constexpr std::pair<const char*, Skinning> skinning_names[] = {
     {"linear", Skinning::linear}, {"dual-quaternion", Skinning::dual_quaternion}, {"spherical", Skinning::spherical}};
+
+// Returns the same for two paths of one file, be it there or not.
+std::filesystem::path place_of(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+  const std::filesystem::path place = std::filesystem::weakly_canonical(absolute, error);
+  return error ? absolute.lexically_normal() : place;
+}
 
 }  // namespace
 
@@ -23,12 +33,14 @@ boost::program_options::variables_map parse_arguments(const std::vector<std::str
     all.add_options()(file.c_str(), po::value<std::string>());
     positions.add(file.c_str(), 1);
   }
+  std::vector<std::string> words = arguments;
+  std::replace(words.begin(), std::find(words.begin(), words.end(), "--"), std::string("-h"), std::string("--help"));
   po::variables_map map;
   try {
-    // There are no short options: what begins with one dash is a number below 0, or a file.
+    // There are no other short options: what begins with one dash is a number below 0, or a file.
     using Style = po::command_line_style::style_t;
     const int style = Style::default_style & ~Style::allow_short;
-    po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(), map);
+    po::store(po::command_line_parser(words).options(all).positional(positions).style(style).run(), map);
     po::notify(map);
   } catch (const po::error& e) {
     throw UsageError(e.what());
@@ -52,6 +64,22 @@ std::string printable(const std::string& text) {
 
 void print_notes(const std::string& file, const std::vector<std::string>& notes, std::ostream& to) {
   for (const std::string& note : notes) to << "note: " << file << ": " << printable(note) << '\n';
+}
+
+std::vector<NamedFile> files_of(const boost::program_options::variables_map& map, const std::vector<std::string>& options) {
+  std::vector<NamedFile> out;
+  for (const std::string& option : options)
+    if (map.count(option)) out.push_back({"--" + option, map[option].as<std::string>()});
+  return out;
+}
+
+void check_written(std::vector<NamedFile> others, const std::vector<NamedFile>& written) {
+  for (const NamedFile& file : written) {
+    if (file.path.empty()) throw UsageError(file.of + " takes a file");
+    for (const NamedFile& other : others)
+      if (place_of(file.path) == place_of(other.path)) throw UsageError(file.of + " is the file of " + other.of + ", too");
+    others.push_back(file);
+  }
 }
 
 const char* name_of(Skinning skinning) {

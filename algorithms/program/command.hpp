@@ -31,10 +31,21 @@ struct Command {
 extern const Command bake_command, check_command, collide_command, info_command;
 
 // Returns the values of a command's options and of its files, which are options by position. Throws UsageError. If "help" has a
-// value, help was asked for, and required files may be missing.
+// value, help was asked for, by --help or -h, and required files may be missing.
 boost::program_options::variables_map parse_arguments(const std::vector<std::string>& arguments,
                                                       const boost::program_options::options_description& options,
                                                       const std::vector<std::string>& files);
+
+// A NamedFile is the path of a file, and the option or the position that names it in a call.
+struct NamedFile {
+  std::string of, path;
+};
+
+// Returns the files of those of these options that were given.
+std::vector<NamedFile> files_of(const boost::program_options::variables_map& map, const std::vector<std::string>& options);
+
+// Throws UsageError if a file that is to be written has no name, or is one of the others or of those that are written too.
+void check_written(std::vector<NamedFile> others, const std::vector<NamedFile>& written);
 
 // Returns the name that --skinning takes.
 const char* name_of(Skinning skinning);

@@ -3,7 +3,9 @@
 #include <ostream>
 
 #include "algorithms/model/guarded_load.hpp"
+#include "algorithms/model/load.hpp"
 #include "algorithms/program/command.hpp"
+#include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/mesh/joint_sets.hpp"
 
 namespace refitlab {
@@ -11,10 +13,10 @@ namespace {
 
 namespace po = boost::program_options;
 
-// Returns whether every sampled pose of a clip is rigid, as refits on demand require, or else why not.
+// Returns whether a clip's poses are rigid at the times that are checked on loading, as refits on demand require, or else why not.
 std::string rigid_or_why(const Clip& clip) {
   try {
-    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) clip.sample(clip.duration * share);
+    for (const double time : key_times(clip.animation, max_checked_times)) clip.sample(time);
     return "rigid";
   } catch (const ModelError& e) {
     return std::string("not rigid: ") + e.what();
@@ -50,8 +52,8 @@ int run_info(const std::vector<std::string>& arguments, std::ostream& out, std::
     std::size_t keys = 0;
     for (const NodeTrack& track : clip.animation.tracks)
       keys += track.positions.keys.size() + track.rotations.keys.size() + track.scales.keys.size();
-    out << "    #" << ++number << ' ' << printable(clip.name) << ": " << clip.duration << " s, " << keys << " keys, "
-        << rigid_or_why(clip) << '\n';
+    out << "    #" << ++number << ' ' << printable(clip.name) << ": " << format_number(clip.duration) << " s, " << keys
+        << " keys, " << rigid_or_why(clip) << '\n';
   }
   print_notes(model.name, model.notes, out);
   return exit_done;

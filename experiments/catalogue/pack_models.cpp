@@ -12,13 +12,17 @@ namespace {
 
 const char* const procedural[] = {"man", "creature"};
 
-// Checks that the explorer will have the model of the run, up to rounding to float.
+// Checks that the explorer will have the model of the run, up to rounding to float. What has a name twice has another one there.
 void check(const Model& model, const Model& unpacked) {
   double size = 0;
   for (const Point3& v : model.vertices) size = std::max(size, v.norm());
-  const auto near = [&](const Point3& a, const Point3& b) { return (a - b).norm() <= 1e-6 * size; };
+  const auto near = [&](const Point3& a, const Point3& b) { return (a - b).norm() <= 1e-6 * std::max(size, a.norm()); };
   bool same = model.triangles == unpacked.triangles && model.vertices.size() == unpacked.vertices.size() &&
-              model.clips.size() == unpacked.clips.size();
+              model.clips.size() == unpacked.clips.size() && model.joints.size() == unpacked.joints.size();
+  for (std::size_t j = 0; same && j < model.joints.size(); ++j) {
+    const Joint &a = model.joints[j], &b = unpacked.joints[j];
+    same = a.parent == b.parent && b.name.starts_with(a.name) && near(a.origin, b.origin);
+  }
   for (std::size_t v = 0; same && v < model.vertices.size(); ++v) {
     const auto &a = model.influences[v], &b = unpacked.influences[v];
     same = near(model.vertices[v], unpacked.vertices[v]) &&
@@ -26,9 +30,14 @@ void check(const Model& model, const Model& unpacked) {
                       [](const Influence& x, const Influence& y) { return x.joint == y.joint && x.weight == y.weight; });
   }
   for (std::size_t i = 0; same && i < model.clips.size(); ++i) {
-    const Pose a = model.clips[i].sample(model.clips[i].duration), b = unpacked.clips[i].sample(model.clips[i].duration);
-    for (std::size_t j = 0; same && j < a.size(); ++j)
-      same = near(apply(a[j], model.joints[j].origin), apply(b[j], unpacked.joints[j].origin));
+    const Clip &from = model.clips[i], &to = unpacked.clips[i];
+    const int steps = packed_steps(from);
+    same = from.duration == to.duration && to.name.starts_with(from.name);
+    for (int k = 0; same && k <= steps; ++k) {
+      const Pose a = from.sample(from.duration * k / steps), b = to.sample(from.duration * k / steps);
+      for (std::size_t j = 0; same && j < a.size(); ++j)
+        same = near(apply(a[j], model.joints[j].origin), apply(b[j], unpacked.joints[j].origin));
+    }
   }
   if (!same) throw std::logic_error("packed models: " + model.name + " is another model when it is unpacked");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // This shows the refit in an engine: which bounding spheres of a posed character does a ray hit? The mesh is not skinned for it;
 // nodes of few vertices skin those.
+#include <algorithm>
 #include <cstdio>
 
 #include "algorithms/bake/bake.hpp"
@@ -18,8 +19,8 @@ int leaves_hit(const Character& character, int node, const SkinningPalette<doubl
                const Point3& direction) {
   const Ball3<double> ball = variant.refit(character.refit_node(node, palette, variant.pieces));
   const Point3 to_center = ball.center - from;
-  const double along = dot(to_center, direction);
-  if (along < 0 || squared_norm<double, 3>(to_center - direction * along) > sq(ball.radius)) return 0;
+  const double along = std::max(0., dot(to_center, direction));  // of the ray's nearest point to the center
+  if (squared_norm<double, 3>(to_center - direction * along) > sq(ball.radius)) return 0;
   const TreeNode& n = character.tree.nodes[node];
   int hits = n.child_count == 0;
   for (int child = n.first_child; child < n.first_child + n.child_count; ++child)
@@ -30,9 +31,9 @@ int leaves_hit(const Character& character, int node, const SkinningPalette<doubl
 int main(int argc, char** argv) try {
   // This happens once, when the character is loaded. It makes the sphere tree and the data of the refit.
   const auto character = bake(argc > 1 ? load_model(argv[1]) : make_man());
-  const Clip& walk = character.clips[0];
   // Your engine's joint transforms go here: a rotation and a translation for each joint, from the reference pose.
-  const Pose pose = walk.sample(walk.duration / 4);
+  const Pose pose =
+      character.clips.empty() ? reference_pose(character.mesh) : character.clips[0].sample(character.clips[0].duration / 4);
   const auto palette = make_skinning_palette(character.mesh, character.sets, pose, variant.skinning);
   const int hits = leaves_hit(character, 0, palette, {0, 1.2, 5}, {0, 0, -1});
   std::printf("a ray at the chest reaches %d leaves of %zu nodes\n", hits, character.tree.nodes.size());

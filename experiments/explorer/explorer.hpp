@@ -6,12 +6,10 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "algorithms/bake/bake.hpp"
-#include "algorithms/methods/refit/compared_variants.hpp"
 
 namespace refitlab {
 

@@ -11,7 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double poses_per_second = 24, most_steps = 120;
+constexpr double poses_per_second = 24;
+constexpr int most_steps = 120;
 constexpr double weight_unit = 1. / (1 << 24);
 
 template <class T>
@@ -35,7 +36,7 @@ void add(std::vector<float>& to, const auto& from) {
 }
 
 json pack_clip(const Clip& clip) {
-  const int steps = std::clamp(static_cast<int>(std::ceil(clip.duration * poses_per_second)), 1, static_cast<int>(most_steps));
+  const int steps = packed_steps(clip);
   std::vector<float> numbers;
   for (int i = 0; i <= steps; ++i)
     for (const auto& c : clip.sample(clip.duration * i / steps)) add(numbers, c.rotation), add(numbers, c.translation);
@@ -61,7 +62,21 @@ Clip unpack_clip(const json& j, std::size_t joints) {
           }};
 }
 
+// The page asks for joints and clips by name, which files may give twice. What has the name of one before it gets its number,
+// too.
+void tell_apart(auto& things) {
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const auto own = things.begin() + static_cast<std::ptrdiff_t>(i);
+    while (std::any_of(things.begin(), own, [&](const auto& thing) { return thing.name == own->name; }))
+      own->name += " #" + std::to_string(i + 1);
+  }
+}
+
 }  // namespace
+
+int packed_steps(const Clip& clip) {
+  return std::clamp(static_cast<int>(std::ceil(clip.duration * poses_per_second)), 1, most_steps);
+}
 
 std::vector<std::uint8_t> pack(const Model& m) {
   std::vector<float> vertices, origins;
@@ -112,6 +127,7 @@ Model unpack(const std::vector<std::uint8_t>& packed) {
     m.triangles.push_back({triangles[i], triangles[i + 1], triangles[i + 2]});
   for (std::size_t i = 0; i < names.size(); ++i) m.joints.push_back({names[i], parents[i], point(origins, i)});
   for (const json& clip : j.at("clips")) m.clips.push_back(unpack_clip(clip, names.size()));
+  tell_apart(m.joints), tell_apart(m.clips);
   validate(m);
   return m;
 }

@@ -15,21 +15,16 @@ struct Ray {
   Point3 origin, direction;
 };
 
-// A Camera is in model space, right-handed. In the picture plane x is right and y is up, seen along -z of the camera's own frame.
+// A Camera is orthographic, and in model space, right-handed. In the picture plane x is right and y is up, seen along -z of the
+// camera's own frame.
 class Camera {
  public:
-  // field_of_view is that of the picture's height, in degrees, in (0, 180). Throws std::invalid_argument if there is no such
-  // camera (eye = target, up along the view, not finite).
-  static Camera perspective(const Point3& eye, const Point3& target, double field_of_view = 30, const Point3& up = {0, 1, 0});
-  // height is what the picture's height covers, in model units.
+  // height is what the picture's height covers, in model units. Throws std::invalid_argument if there is no such camera (eye =
+  // target, up along the view, not finite).
   static Camera orthographic(const Point3& eye, const Point3& target, double height, const Point3& up = {0, 1, 0});
 
-  // Returns a camera that sees all of the box, centred. from is the direction from the box to the eye, of any length. aspect is
-  // width / height of the picture. field_of_view 0 asks for an orthographic camera. margin is the empty share at each side.
-  static Camera frame(const Box<double>& box, const Point3& from, double aspect = 1, double field_of_view = 0,
-                      double margin = 0.04, const Point3& up = {0, 1, 0});
-
-  // Returns an orthographic camera that sees all of the points, centred, with no more space around them than the margin.
+  // Returns a camera that sees all of the points, centred, with no more space around them than the margin, which is the empty
+  // share at each side. from is the direction from the points to the eye, of any length. aspect is width / height of the picture.
   static Camera frame(std::span<const Point3> points, const Point3& from, double aspect = 1, double margin = 0.04,
                       const Point3& up = {0, 1, 0});
 
@@ -40,18 +35,16 @@ class Camera {
   // Returns where a point is seen, in pixels from the upper left corner, for labels drawn over the picture.
   Vec<double, 2> project(const Point3& point, int width, int height) const;
 
-  // Returns what one unit of the picture (its height) covers in model units at a distance along a ray.
-  double extent(double distance) const { return field_of_view_ > 0 ? height_ * distance : height_; }
+  double height() const { return height_; }  // of the picture, in model units
 
   const Point3& right() const { return right_; }
   const Point3& up() const { return up_; }
   const Point3& back() const { return back_; }  // from the target to the eye
 
  private:
-  Camera(const Point3& eye, const Point3& back, const Point3& up, double field_of_view, double height);
+  Camera(const Point3& eye, const Point3& back, const Point3& up, double height);
   Point3 eye_, right_, up_, back_;
-  double field_of_view_;  // degrees; 0 if orthographic
-  double height_;         // of the picture: at distance 1 if perspective, anywhere if orthographic; model units
+  double height_;
 };
 
 }  // namespace refitlab::render

@@ -83,7 +83,7 @@ Caster::Layer Caster::build(const Scene& scene, bool opaque) const {
     for (const auto& triangle : mesh.triangles) corners = std::copy(triangle.begin(), triangle.end(), corners);
     Part part;
     part.mesh = &mesh;
-    if (mesh.smooth) part.normals = vertex_normals(mesh);
+    part.normals = vertex_normals(mesh);
     if (mesh.vertex_colors.empty()) part.colors.push_back(to_linear(mesh.color));
     for (const auto& color : mesh.vertex_colors) part.colors.push_back(to_linear(color));
     add(layer, geometry, std::move(part));
@@ -147,16 +147,14 @@ Surface Caster::mesh_surface(const Part& part, const Ray& ray, const RTCRayHit& 
   const double sign = s.from_inside ? -1 : 1;
   s.normal = s.face_normal = sign * normal.normalized();
   s.lifted = s.point;
-  if (mesh.smooth) {
-    s.normal.setZero();
-    for (int i = 0; i < 3; ++i) s.normal += sign * weights[i] * part.normals[t[i]];
-    s.normal = s.normal.norm() > 1e-6 ? Point3(s.normal.normalized()) : s.face_normal;
-    // The point is pulled up to the vertices' tangent planes (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II):
-    // otherwise the triangles of a coarse mesh show as facets where the light grazes them.
-    for (int i = 0; i < 3; ++i) {
-      const Point3 n = sign * part.normals[t[i]];
-      s.lifted -= weights[i] * std::min(0.0, (s.point - mesh.vertices[t[i]]).dot(n)) * n;
-    }
+  s.normal.setZero();
+  for (int i = 0; i < 3; ++i) s.normal += sign * weights[i] * part.normals[t[i]];
+  s.normal = s.normal.norm() > 1e-6 ? Point3(s.normal.normalized()) : s.face_normal;
+  // The point is pulled up to the vertices' tangent planes (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II):
+  // otherwise the triangles of a coarse mesh show as facets where the light grazes them.
+  for (int i = 0; i < 3; ++i) {
+    const Point3 n = sign * part.normals[t[i]];
+    s.lifted -= weights[i] * std::min(0.0, (s.point - mesh.vertices[t[i]]).dot(n)) * n;
   }
   s.color = part.colors[0];
   if (!mesh.vertex_colors.empty())

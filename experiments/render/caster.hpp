@@ -16,7 +16,7 @@ namespace refitlab::render {
 struct Surface {
   double distance;  // along the ray
   Point3 point;
-  Point3 normal;         // for shading: interpolated if the mesh is smooth
+  Point3 normal;         // for shading: of a mesh it is interpolated
   Point3 face_normal;    // of the geometry
   Point3 lifted;         // point moved out to the smooth surface, from where light is looked for
   Eigen::Array3d color;  // linear, not sRGB
@@ -39,7 +39,7 @@ class Caster {
   // A Part is one geometry of Embree's: a mesh, or all balls, or all line segments.
   struct Part {
     const MeshShape* mesh = nullptr;
-    std::vector<Point3> normals;          // of a smooth mesh, by vertex
+    std::vector<Point3> normals;          // of a mesh, by vertex
     std::vector<const BallShape*> balls;  // by primitive
     std::vector<Eigen::Array3d> colors;   // linear; of the mesh (one) or its vertices, or by primitive
   };

@@ -91,7 +91,7 @@ class Shader {
       const double facing = std::max(0.3, std::abs(s.normal.dot(ray.direction)));
       const double face_on = s.opacity * (s.from_inside ? 0.3 : 1);
       const double opacity = face_on / (face_on + (1 - face_on) * facing);
-      const double pixels_per_unit = options_.height / camera_.extent(s.distance);
+      const double pixels_per_unit = options_.height / camera_.height();
       const double outline = std::clamp(options_.outline - s.inside_silhouette * pixels_per_unit + 0.5, 0.0, 1.0);
       if (options_.outline > 0 && !s.from_inside) put_under(0.35 * s.color, outline * std::max(0.75, s.opacity));
       put_under(light(s, ray, 1, 1), opacity);
@@ -165,10 +165,9 @@ Image draw(const Scene& scene, const Camera& camera, const Options& options) {
         sum += shader.trace(ray, i, turn);
       }
       sum /= n * n;
-      if (!options.transparent) sum += (1 - sum[3]) * Eigen::Array4d::Ones();
+      sum += (1 - sum[3]) * Eigen::Array4d::Ones();  // the background
       std::uint8_t* pixel = image.pixel(x, y);
-      for (int c = 0; c < 3; ++c) pixel[c] = sum[3] > 0 ? std::lround(255 * std::min(1.0, sum[c] / sum[3])) : 0;
-      pixel[3] = std::lround(255 * std::min(1.0, sum[3]));
+      for (int c = 0; c < 3; ++c) pixel[c] = std::lround(255 * std::min(1.0, sum[c]));
     }
   return image;
 }

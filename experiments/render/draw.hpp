@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drawing makes an image of a scene as a camera sees it.
+// Drawing makes an image of a scene as a camera sees it, before a white background.
 #pragma once
 
 #include "experiments/render/camera.hpp"
@@ -10,7 +10,6 @@ namespace refitlab::render {
 
 struct Options {
   int width = 900, height = 900;  // pixels
-  bool transparent = false;       // else the background is white
   int supersampling = 2;          // rays per pixel in each direction, in [1, 8]
   double outline = 1.5;           // of translucent balls, pixels; 0 for none
   bool occlusion = true;          // ambient occlusion and the shadow of the key light

@@ -15,7 +15,6 @@ struct MeshShape {
   std::vector<Triangle> triangles;
   Color color = palette::clay;
   double opacity = 1;                     // face on; below 1: seen through, denser where seen at grazing angles
-  bool smooth = true;                     // normals interpolated over a triangle, or its own
   std::vector<Color> vertex_colors = {};  // one per vertex, in place of color; or empty
 };
 

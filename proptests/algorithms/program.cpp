@@ -188,6 +188,43 @@ void bounds_hold_and_are_checked(Suite& t) {
   });
 }
 
+void balls_for_any_pose(Suite& t) {
+  t.example(
+      "in every pose of a clip the vertices of each mesh and skin are in the ball for any pose, about that node of the file", {},
+      [] {
+        long looked_at = 0, missed = 0;
+        std::string wrong;
+        for (const bool uneven : {false, true}) {
+          const Rich rich(uneven, true, {"--for", "any"});
+          if (rich.called.code != 0) return Checked(false, 0, rich.called.errors);
+          const json file = description_of(rich.folder.file("out.glb"));
+          const auto expect = [&](const json& thing, const auto& is_of_it) {
+            const json any = thing["extras"]["refitlab"].value("any_pose", json());
+            if (!any.is_object()) return void(wrong += "a ball is missing; ");
+            for (int i = 0; i < 20; ++i) {
+              const double time = 2.0 * i / 19;
+              const Eigen::Vector3d origin = rich.gltf.global(any["node"].get<int>(), time).topRightCorner<3, 1>();
+              for (const gen::RichPrimitive& primitive : rich.gltf.primitives()) {
+                if (!is_of_it(primitive)) continue;
+                const auto posed = rich.gltf.posed(primitive, time);
+                for (const auto& triangle : primitive.triangles)
+                  for (const int v : triangle)
+                    ++looked_at, missed += (posed[static_cast<std::size_t>(v)] - origin).norm() > any["radius"].get<double>();
+              }
+            }
+          };
+          for (int m = 0; m < static_cast<int>(file["meshes"].size()); ++m)
+            expect(file["meshes"][static_cast<std::size_t>(m)],
+                   [m](const gen::RichPrimitive& primitive) { return primitive.mesh == m; });
+          for (int s = 0; s < static_cast<int>(file["skins"].size()); ++s)
+            expect(file["skins"][static_cast<std::size_t>(s)],
+                   [s](const gen::RichPrimitive& primitive) { return primitive.skin == s; });
+        }
+        return Checked(wrong.empty() && missed == 0 && looked_at > 1000, looked_at,
+                       wrong + std::to_string(missed) + " are outside");
+      });
+}
+
 // The weight of the moment at which a vertex leaves its bound most in a crossfade, or -1 if what is said has no weight, or no time of each clip.
 double weight_of_moment(const std::string& said, const BakedFile& baked) {
   static const std::regex moment(R"( at (-?[0-9.]+) s and (-?[0-9.]+) s, weight (-?[0-9.]+))");
@@ -342,6 +379,44 @@ void what_leaves_its_box_between_keys(Suite& t) {
   });
 }
 
+// What is said of the rest pose: on how many places, how many are outside, how many undecided, and what follows.
+struct SaidOfRest {
+  long places, outside, undecided;
+  std::string more;
+};
+SaidOfRest said_of_rest(const std::string& said) {
+  static const std::regex line(R"((?:^|\n)rest pose: (\d+) places of vertices, (\d+) outside, (\d+) undecided([^\n]*)\n)");
+  std::smatch found;
+  if (!std::regex_search(said, found, line)) return {-1, -1, -1, said};
+  return {std::stol(found[1]), std::stol(found[2]), std::stol(found[3]), found[4]};
+}
+
+void check_counts_vertices(Suite& t) {
+  t.example("check counts the vertices that are outside and those too near to a bound to tell, and says how far one is outside",
+            {}, [] {
+              const gen::TemporaryFolder folder;
+              const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), other = folder.file("other.glb");
+              write_gltf(make_turning(80, {Eigen::Vector3d::UnitZ()}), in);
+              const Called baked = call({"bake", "--clusters", "4", in, out});
+              if (baked.code != 0) return Checked(false, 0, baked.errors);
+              // Two of the four vertices have an x of 2, and the others one of 1 and 1.5.
+              const auto check = [&](float high) {
+                tamper(out, other, [&](BakedFile& b) { b.clusters.clips.back().clusters[0].box.high[0] = high; });
+                return call({"check", "--samples", "20", other});
+              };
+              const Called untouched = call({"check", "--samples", "20", out}), touching = check(2), outside = check(1.75f);
+              const SaidOfRest none = said_of_rest(untouched.out), near = said_of_rest(touching.out),
+                               far = said_of_rest(outside.out);
+              const bool is_none =
+                  untouched.code == 0 && none.places > 80 && none.outside == 0 && none.undecided == 0 && none.more.empty();
+              const bool is_near = touching.code == 0 && near.places > 80 && near.outside == 0 &&
+                                   2 * near.undecided == near.places && near.more.empty();
+              const bool is_far = outside.code == 1 && far.places > 80 && 2 * far.outside == far.places && far.undecided == 0 &&
+                                  far.more.starts_with("; farthest: cluster 0, vertex ") && far.more.ends_with(" s, by 0.25");
+              return Checked(is_none && is_near && is_far, 3, untouched.out + touching.out + outside.out);
+            });
+}
+
 // That what is written of three clips' crossfades, in the summary and in the file, is of the clips that it names.
 std::string wrong_of_crossfades(const json& summary, const json& file) {
   std::string wrong;
@@ -373,6 +448,38 @@ std::string wrong_of_crossfades(const json& summary, const json& file) {
       }
     }
   return wrong;
+}
+
+void crossfades_unless_asked_otherwise(Suite& t) {
+  t.example("crossfades are by slerp, and as tight as is said, unless asked otherwise: in the file, its chunk and on the screen",
+            {}, [] {
+              const gen::TemporaryFolder folder;
+              const std::string in = folder.file("in.glb"), out = folder.file("out.glb");
+              const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
+              write_gltf(make_turning(80, {z, -z, y, x}), in);
+              std::string wrong;
+              for (const std::string rotations : {"", "slerp", "nlerp"}) {
+                std::vector<std::string> arguments = {"bake", "--for", "crossfade", "--clusters", "4", in, out};
+                if (!rotations.empty()) arguments.insert(arguments.begin() + 1, {"--rotations", rotations});
+                const Called called = call(arguments);
+                if (called.code != 0) return Checked(false, 0, called.errors);
+                const BakedFile baked = read_baked(out);
+                const std::string said = out + ": 2 triangles in " + std::to_string(baked.clusters.clusters.size()) +
+                                         " clusters, 4 clips, 6 crossfades, linear skinning; ";
+                if (!called.out.starts_with(said)) wrong += called.out;
+                const bool is_nlerp = rotations == "nlerp";
+                if (baked.rotations != (is_nlerp ? RotationBlend::nlerp : RotationBlend::slerp)) wrong += "the chunk; ";
+                const json file = description_of(out);
+                for (const json& clip : file["animations"]) {
+                  const json& own = clip["extras"]["refitlab"];
+                  if (own["rotations"] != (is_nlerp ? "nlerp" : "slerp") || own["tolerance"] != 0.01 ||
+                      own["crossfade_tolerance"] != 0.2)
+                    wrong += own["rotations"].dump() + ", " + own["tolerance"].dump() + ", " + own["crossfade_tolerance"].dump() +
+                             "; ";
+                }
+              }
+              return Checked(wrong.empty(), 3, wrong);
+            });
 }
 
 void crossfades_of_three_clips(Suite& t) {
@@ -441,6 +548,69 @@ void info_says_which_clips_are_rigid(Suite& t) {
           good = good && info.out.find("    #" + std::to_string(k + 1) + " clip: 1 s, 7 keys, not rigid: ") != std::string::npos;
         return Checked(good, static_cast<long>(clips.size()), info.out + info.errors);
       });
+  t.example("a clip is not rigid that scales a joint at one of many keys alone", {}, [] {
+    const gen::TemporaryFolder folder;
+    std::vector<std::vector<double>> clips = {std::vector<double>(33, 1)};
+    // None of these is a quarter of the clip, nor the next key to one.
+    for (const std::size_t k : {2, 5, 12, 19, 30}) clips.push_back(clips[0]), clips.back()[k] = 2;
+    write_gltf(make_scaling(clips), folder.file("in.glb"));
+    const Called info = call({"info", folder.file("in.glb")});
+    bool good = info.code == 0 && info.out.find("    #1 clip: 1 s, 35 keys, rigid\n") != std::string::npos;
+    for (std::size_t k = 1; k < clips.size(); ++k)
+      good = good && info.out.find("    #" + std::to_string(k + 1) + " clip: 1 s, 35 keys, not rigid: ") != std::string::npos;
+    return Checked(good, static_cast<long>(clips.size()), info.out + info.errors);
+  });
+}
+
+void info_counts_what_is_in_a_file(Suite& t) {
+  t.example("info says of a file what is in it, and bake how much of it is bounded", {}, [] {
+    const Rich rich(false, false);
+    const std::string in = rich.folder.file("in.glb"), out = rich.folder.file("out.glb");
+    const Model model = load_model(in, {.joints = Joints::affine, .morphs = Morphs::moving});
+    const JointSets sets(model);
+    const std::size_t triangles = model.triangles.size();
+    std::size_t most = 0, keys = 0;
+    for (const auto& influences : model.influences) most = std::max(most, influences.size());
+    for (const NodeTrack& track : model.clips.at(0).animation.tracks)
+      keys += track.positions.keys.size() + track.rotations.keys.size() + track.scales.keys.size();
+    std::ostringstream expected;
+    expected << in << "\n  triangles     " << triangles << "\n  vertices      " << model.vertices.size()
+             << ", of different positions and weights\n  joints        " << model.joints.size() << "\n  joint-sets    "
+             << sets.count() << ", of " << most << " joints at most\n  primitives    " << rich.gltf.primitives().size()
+             << "\n  morph targets " << morph_targets(model).count << "\n  clips         1\n    #1 move: 2 s, " << keys
+             << " keys, ";
+    const Called info = call({"info", in});
+    const std::string line = out + ": " + std::to_string(triangles) + " triangles in " +
+                             std::to_string(read_baked(out).clusters.clusters.size()) +
+                             " clusters, 1 clips, 0 crossfades, linear skinning; ";
+    // Else a number could be another one.
+    const bool differ = model.joints.size() != model.skeleton.nodes.size() && triangles != model.vertices.size();
+    return Checked(info.code == 0 && info.out.starts_with(expected.str()) && rich.called.out.starts_with(line) && differ, 2,
+                   info.out + rich.called.out);
+  });
+}
+
+void what_a_summary_says(Suite& t) {
+  t.example("a summary is of its file, and has the clips that there are, none of a file without", {}, [] {
+    const Rich rich(true, true);
+    const std::string in = rich.folder.file("in.glb"), out = rich.folder.file("out.glb"), to = rich.folder.file("summary.json"),
+                      still = rich.folder.file("still.glb");
+    redescribe(in, still, [](json& description) { description.erase("animations"); });
+    std::string wrong;
+    for (const std::string& file : {in, still}) {
+      const Called called = call({"bake", "--clusters", "4", "--json", to, file, out});
+      if (called.code != 0) return Checked(false, 0, called.errors);
+      const json summary = json::parse(read_whole(to));
+      const json clips = summary.value("clips", json());
+      const Model model = load_model(file, {.joints = Joints::affine, .morphs = Morphs::moving});
+      if (summary.at("file") != file || summary.at("skinning") != "linear" || summary.at("tolerance") != 0.01 ||
+          summary.at("triangles") != model.triangles.size() || summary.at("vertices") != model.vertices.size() ||
+          summary.at("moments") <= 0 || !clips.is_array() || clips.size() != model.clips.size() ||
+          model.triangles.size() == model.vertices.size())
+        wrong += summary.dump();
+    }
+    return Checked(wrong.empty(), 2, wrong);
+  });
 }
 
 void what_is_said_of_a_file(Suite& t) {
@@ -550,6 +720,95 @@ void what_sampling_misses(Suite& t) {
   });
 }
 
+// What a report's page shows.
+json data_of_page(const std::string& page) {
+  const std::string before = "const data = ";
+  const std::size_t start = page.find(before) + before.size();
+  return json::parse(page.substr(start, page.find(";\n", start) - start));
+}
+
+// Three joints with four triangles each, farther from the origin one after the other. In the first clip each turns farther than the one
+// before, and in the second the second alone turns.
+Model make_turning_parts() {
+  const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+  Model model = gen::model_of_nodes("parts", {{"a", -1, identity}, {"b", -1, identity}, {"c", -1, identity}});
+  for (int joint = 0; joint < 3; ++joint) {
+    const int first = static_cast<int>(model.vertices.size());
+    const double away = 10 * joint;
+    for (const Point3& p :
+         {Point3(1, 0, 0), Point3(2, 0, 0.5), Point3(1.5, 0.25, 1), Point3(1, 0, 1.5), Point3(0.5, 0.25, 1), Point3(0.5, 0, 0.5)})
+      model.vertices.push_back(p + Point3(away, 0, 0)), model.influences.push_back({{joint, 1}});
+    for (int k = 1; k < 5; ++k) model.triangles.push_back({first, first + k, first + k + 1});
+  }
+  for (int clip = 0; clip < 2; ++clip) {
+    const std::string name = "clip " + std::to_string(clip);
+    Animation animation{name, 2, {}};
+    for (int joint = 0; joint < 3; ++joint) {
+      const double degrees = clip == 0 ? 100 + 30 * joint : joint == 1 ? 100 : 0;
+      const Eigen::Quaterniond still = Eigen::Quaterniond::Identity(),
+                               turned(Eigen::AngleAxisd(degrees / 180 * 3.141592653589793, Eigen::Vector3d::UnitZ()));
+      animation.tracks.push_back(
+          {joint, {{{0, Eigen::Vector3d::Zero()}}}, {{{0, still}, {1, turned}, {2, still}}}, {{{0, Eigen::Vector3d::Ones()}}}});
+    }
+    model.clips.push_back({name, 2, {}, animation});
+  }
+  return model;
+}
+
+// What a page says of one clip that is not of these misses, or a box that is not of these parts.
+std::string wrong_of_clip(const json& said, const Model& model, const ModelBounds& bounds, std::size_t clip) {
+  std::string wrong;
+  for (const auto& [name, sampling] : {std::pair("keys", Sampling::keys), std::pair("rate", Sampling::fixed_rate)}) {
+    const SampledMisses misses = misses_of_sampling(model, bounds, clip, sampling);
+    const json expected = {{"clusters", misses.clusters}, {"worst", misses.worst}, {"by", misses.by}, {"time", misses.time}};
+    if (said[name] != expected) wrong += name + (": " + said[name].dump()) + " for " + expected.dump() + "; ";
+  }
+  std::size_t cluster = 0;
+  for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
+    if (bounds.parts[p].kind != PartKind::cluster) continue;
+    const Box<float>& box = bounds.clips[clip].parts[p].box;
+    const json& shown = said["boxes"][cluster++];
+    for (int i = 0; i < 3; ++i)
+      if (shown[static_cast<std::size_t>(i)] != static_cast<double>(box.low[i]) ||
+          shown[static_cast<std::size_t>(3 + i)] != static_cast<double>(box.high[i]))
+        wrong += "a box is another one; ";
+  }
+  if (said["boxes"].size() != cluster) wrong += "other clusters; ";
+  return wrong;
+}
+
+void reports_show_each_cluster(Suite& t) {
+  t.example(
+      "the report has each cluster's own box, its triangles in it in all frames, and what sampling misses of each clip", {}, [] {
+        const Model model = make_turning_parts();
+        const ModelBounds bounds = bound_model(model, {.cluster_triangles = 4});
+        const json data = data_of_page(report_page(model, bounds, "parts.glb"));
+        const std::vector<int> cluster_of = numbers_of(data["cluster_of"], 4), corners = numbers_of(data["triangles"], 4);
+        if (data["clips"].size() != 2 || data["clusters"] < 3 || corners.size() != 3 * cluster_of.size())
+          return Checked(false, 0, data.dump().substr(0, 500));
+        std::string wrong;
+        long tried = 0, missed = 0;
+        for (std::size_t c = 0; c < 2; ++c) {
+          const json& clip = data["clips"][c];
+          wrong += wrong_of_clip(clip, model, bounds, c);
+          const int count = clip["keys"]["clusters"], all = data["clusters"];
+          if (c == 0 ? count != all : count == 0 || count == all) wrong += "as many clusters; ";
+          const std::vector<int> places = numbers_of(clip["positions"]);
+          const std::size_t size = 3 * model.vertices.size();
+          for (std::size_t frame = 0; frame < data["frames"].get<std::size_t>(); ++frame)
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+              const json& box = clip["boxes"].at(static_cast<std::size_t>(cluster_of[k / 3]));
+              for (std::size_t i = 0; i < 3; ++i, ++tried) {
+                const double low = clip["box"][i], side = clip["box"][3 + i].get<double>() - low, bit = side / 65535;
+                const double at = low + places.at(frame * size + 3 * static_cast<std::size_t>(corners[k]) + i) * bit;
+                missed += at < box[i].get<double>() - bit || at > box[3 + i].get<double>() + bit;
+              }
+            }
+        }
+        return Checked(wrong.empty() && missed == 0 && tried > 1000, tried, wrong + std::to_string(missed) + " are outside");
+      });
+}
+
 void reports_and_progress(Suite& t) {
   t.example("the report has the clusters, each clip's frames from its start to its end, and times of the clip alone", {}, [] {
     const gen::TemporaryFolder folder;
@@ -557,9 +816,7 @@ void reports_and_progress(Suite& t) {
     write_gltf(keyed(make_man(), 4), in);
     const Called called = call({"bake", in, folder.file("out.glb"), "--report", folder.file("report.html")});
     if (called.code != 0) return Checked(false, 0, called.errors);
-    const std::string page = read_whole(folder.file("report.html")), before = "const data = ";
-    const std::size_t start = page.find(before) + before.size();
-    const json data = json::parse(page.substr(start, page.find(";\n", start) - start));
+    const json data = data_of_page(read_whole(folder.file("report.html")));
     const Model model = load_model(in);
     std::string wrong;
     if (data["clips"].size() != model.clips.size()) return Checked(false, 1, "not all clips");
@@ -677,6 +934,12 @@ void collide_writes_pairs_and_certificates(Suite& t) {
           "--against " + folder.file("body.first") + " " + folder.file("body.second") + " " + why, oracle::pairs_checker());
       if (checked.lines.size() != 1 || !checked.lines[0].starts_with("accepted: ")) wrong += "the certificate; ";
     }
+    const Called both = call({"collide", "--clip-a", "move", "--time-a", "1.25", "--clip-b", "move", "--time-b", "0.5", "--json",
+                              pairs, "--certificate", why, in, in});
+    const json summary = json::parse(read_whole(pairs)), certificate = json::parse(read_whole(why));
+    for (const auto& [side, name] :
+         {std::pair("first", "in.glb, clip move at 1.250000 s"), {"second", "in.glb, clip move at 0.500000 s"}})
+      if (both.code != 0 || summary.at(side) != name || certificate.at(side).at("name") != name) wrong += name;
     const Called unwritten = call({"collide", "--certificate", in + "/why.json", in, in});
     if (unwritten.code != 3 || unwritten.errors.find("in.glb") == std::string::npos) wrong += unwritten.errors;
     return Checked(wrong.empty() && printed > 0, printed, wrong);
@@ -825,12 +1088,93 @@ void numbers_beyond_either_end(Suite& t) {
     says(2, fade, "--crossfade-tolerance", none, "--crossfade-tolerance takes a number above 0, and up to 1");
     says(2, bake, "--dop", {"-6", "0", "4", "10", "28"}, "--dop takes 6, 14, 18 or 26");
     says(2, check, "--samples", {"-1", "0"}, "--samples takes a number above 0");
+    says(2, check, "--seed", {"-1", "4294967296", "-4294967296"}, "--seed takes a number from 0 to 4294967295");
+    for (const char* seed : {"0", "4294967295"})
+      if (const Called called = call({"check", "--samples", "3", "--seed", seed, baked}); called.code != 0)
+        wrong += called.errors;
     for (const std::string side : {"a", "b"}) {
       const std::vector<std::string> collide = {"collide", "--clip-" + side, "move", "--json", out, in, in};
       says(2, collide, "--time-" + side, {"-1e-9", "2.000001", "-inf", "inf", "nan"}, "the clip goes from 0 to 2");
       says(0, collide, "--time-" + side, {"0", "2"}, "");
     }
     return Checked(wrong.empty(), tried, wrong);
+  });
+}
+
+void ends_of_clips_as_printed(Suite& t) {
+  t.example("the end of a clip is taken as info and collide print it, whatever its digits", {}, [] {
+    const gen::TemporaryFolder folder;
+    static const std::regex printed(R"(#1 clip: ([^ ]*) s, )"), said(R"(the clip goes from 0 to ([^ ]*) s)");
+    const std::string in = folder.file("in.glb");
+    std::string wrong;
+    long tried = 0;
+    for (const double duration : {2.0 / 3, 25.0 / 24, 0.1, 1e-5, 12345.678, 3.0}) {
+      write_gltf(make_swing(duration, 0, duration), in);
+      const Called info = call({"info", in}), beyond = call({"collide", "--clip-a", "clip", "--time-a", "1e6", in, in});
+      std::smatch own, other;
+      if (!std::regex_search(info.out, own, printed) || beyond.code != 2 || !std::regex_search(beyond.errors, other, said) ||
+          own[1] != other[1])
+        return Checked(false, tried, info.out + beyond.errors);
+      const Called at_end = call({"collide", "--clip-a", "clip", "--time-a", own[1].str(), in, in});
+      if (at_end.code != 0) wrong += at_end.errors;
+      ++tried;
+    }
+    return Checked(wrong.empty(), tried, wrong);
+  });
+}
+
+void files_named_twice(Suite& t) {
+  t.example("a file that is written is no other file of the call, however its path is written, and has a name", {}, [] {
+    const Rich rich(false, false);
+    const gen::TemporaryFolder& folder = rich.folder;
+    const std::string in = folder.file("in.glb"), out = folder.file("never.glb"), other = folder.file("other.json"),
+                      body = folder.file("body"),
+                      again = folder.path() + "/../" + std::filesystem::path(folder.path()).filename().string(),
+                      link = folder.file("link"), bytes = read_whole(in);
+    std::filesystem::create_directory_symlink(folder.path(), link);
+    std::string wrong;
+    long tried = 0;
+    const auto fails = [&](const std::vector<std::string>& arguments, const std::string& reason) {
+      const Called called = call(arguments);
+      if (called.code != 2 || called.errors.find(reason) == std::string::npos || std::filesystem::exists(out) ||
+          std::filesystem::exists(other) || read_whole(in) != bytes)
+        wrong += reason + ": " + std::to_string(called.code) + " " + called.errors + "; ";
+      ++tried;
+    };
+    for (const std::string option : {"--json", "--report", "--certificate"}) {
+      fails({"bake", option, in, in, out}, option + " is the file of IN.glb, too");
+      for (const std::string& path : {out, again + "/never.glb", link + "/never.glb", std::filesystem::relative(out).string()})
+        fails({"bake", option, path, in, out}, option + " is the file of OUT.glb, too");
+      fails({"bake", option, "", in, out}, option + " takes a file");
+    }
+    fails({"bake", "--json", other, "--report", other, in, out}, "--report is the file of --json, too");
+    fails({"bake", "--certificate", link + "/other.json", "--json", other, in, out}, "--certificate is the file of --json, too");
+    for (const std::string option : {"--json", "--certificate"}) {
+      fails({"collide", option, in, in, out}, option + " is the file of A, too");
+      fails({"collide", option, in, out, in}, option + " is the file of B, too");
+      for (const char* end : {".first", ".second"})
+        fails({"collide", option, body + end, "--documents", body, in, in}, "--documents is the file of " + option + ", too");
+    }
+    fails({"collide", "--certificate", other, "--json", other, in, in}, "--certificate is the file of --json, too");
+    fails({"collide", "--documents", "", in, in}, "--documents takes a file");
+    // The names of documents have ends of their own.
+    const Called named = call({"collide", "--documents", in, "--json", folder.file("pairs.json"), in, in});
+    if (named.code != 0 || read_whole(in) != bytes || read_whole(in + ".first").empty()) wrong += named.errors;
+    return Checked(wrong.empty(), tried, wrong);
+  });
+}
+
+void help_of_each_command(Suite& t) {
+  t.example("every command takes -h for --help, but no file of that name for it", {}, [] {
+    std::string wrong;
+    for (const char* command : {"bake", "info", "check", "collide"}) {
+      const Called longer = call({command, "--help"}), shorter = call({command, "-h"});
+      if (shorter.code != 0 || shorter.out != longer.out || !shorter.out.starts_with("usage: ") || !shorter.errors.empty())
+        wrong += shorter.out + shorter.errors;
+    }
+    const Called file = call({"info", "--", "-h"});
+    if (file.code != 3 || file.errors.find("-h: file: ") == std::string::npos) wrong += file.errors;
+    return Checked(wrong.empty(), 5, wrong);
   });
 }
 
@@ -944,7 +1288,9 @@ void wrong_calls_and_files(Suite& t) {
                   fails(2, {"bake", "--nodes", "--no-character", in, out}, "that --no-character leaves out") &&
                   fails(2, {"bake", "--skinning", "spherical", "--certificate", out, in, out}, "for linear skinning alone") &&
                   fails(2, {"check", "--samples", "0", in}, "a number above 0") &&
-                  fails(2, {"collide", rigid, rigid, "--at", "1", "2"}, "three numbers") &&
+                  fails(2, {"collide", rigid, rigid, "--at", "1", "2"}, "--at takes three numbers that are finite") &&
+                  fails(2, {"collide", rigid, rigid, "--at", "0", "nan", "0"}, "--at takes three numbers that are finite") &&
+                  fails(2, {"collide", rigid, rigid, "--at", "0", "0", "-inf"}, "--at takes three numbers that are finite") &&
                   fails(3, {"bake", folder.file("none.glb"), out}, "none.glb") && fails(3, {"check", in}, "it was not baked") &&
                   fails(3, {"check", folder.file("")}, folder.file("") + ": file: cannot be read") &&
                   fails(3, {"collide", "--clip-a", "none", rigid, rigid}, "clip 'none'") &&
@@ -989,7 +1335,7 @@ void wrong_calls_and_files(Suite& t) {
               other[0].data = description.dump();
               write_whole(broken, glb_of(other, broken));
               good = good && fails(3, {"bake", broken, out}, "mesh 0: its extras are no object");
-              return Checked(good, 123, wrong);
+              return Checked(good, 125, wrong);
             });
 }
 
@@ -1019,12 +1365,18 @@ PROPTEST(program) {
   });
   bounds_hold_and_are_checked(t);
   characters_and_nodes(t);
+  balls_for_any_pose(t);
   crossfades(t);
   what_leaves_its_box_between_keys(t);
+  check_counts_vertices(t);
+  crossfades_unless_asked_otherwise(t);
   crossfades_of_three_clips(t);
   info_says_which_clips_are_rigid(t);
+  info_counts_what_is_in_a_file(t);
+  what_a_summary_says(t);
   what_is_said_of_a_file(t);
   what_sampling_misses(t);
+  reports_show_each_cluster(t);
   reports_and_progress(t);
   strange_names_and_joints(t);
   collide_writes_pairs_and_certificates(t);
@@ -1032,6 +1384,9 @@ PROPTEST(program) {
   collide_tells_of_long_certificates(t);
   options_of_what_is_not_asked_for(t);
   numbers_beyond_either_end(t);
+  ends_of_clips_as_printed(t);
+  files_named_twice(t);
+  help_of_each_command(t);
   what_is_behind_a_chunk(t);
   names_that_would_leave_their_line(t);
   clips_of_one_name(t);

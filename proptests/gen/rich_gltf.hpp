@@ -33,12 +33,13 @@ class RichGltf {
   const std::vector<RichPrimitive>& primitives() const { return primitives_; }
   // The vertices of a primitive in the world at a time of the clip "move" in [0, 2].
   std::vector<Eigen::Vector3d> posed(const RichPrimitive& primitive, double time) const;
+  // From the frame of a node of the file to the world, at a time of that clip. Nodes are not in the order in which the scene has them.
+  Eigen::Matrix4d global(int node, double time) const;
 
   GltfBuilder file;
 
  private:
   Eigen::Matrix4d local(int node, double time) const;
-  Eigen::Matrix4d global(int node, double time) const;
   std::vector<double> morph_weights(double time) const;
   void add_nodes();
   void add_skins();

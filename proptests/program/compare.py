@@ -49,6 +49,10 @@ def main():
     for thing in things:
         if (found := thing.get("extras", {}).get("refitlab")) is not None:
             jsonschema.validate(found, schema)
+            # The schema is not content with just anything.
+            for wrong in ({"ball": [*found["ball"][:3], -1]}, {"box": found["box"][:5]}, {"tolerance": 7}, {"unknown": 0},
+                          {"any_pose": {"node": 0, "radius": -1}}):
+                assert not jsonschema.Draft7Validator(schema).is_valid({**found, **wrong}), f"{wrong} is valid"
             bounds += 1
     assert bounds >= len(document.get("animations", [])) + 1, "bounds are missing"
     print(f"{sys.argv[2]}: {bounds} objects have bounds; every other byte is as it was")

@@ -51,7 +51,8 @@ Pose pose_of(const AnimatedCharacter& c, const json& settings) {
 json character_numbers(const json& settings) {
   const AnimatedCharacter& c = character(settings.at("model"));
   const RefitVariant& variant = compared_variant(settings.at("variant"));
-  const auto palette = make_skinning_palette(c.mesh, c.sets, pose_of(c, settings), variant.skinning);
+  const Pose pose = pose_of(c, settings);
+  const auto palette = make_skinning_palette(c.mesh, c.sets, pose, variant.skinning);
   const auto deformed = skin(c.mesh, c.sets, palette, variant.skinning);
   const auto balls = refit_all(c, variant, palette);
   const auto optimal = optimal_balls(c.tree, c.vertices, deformed);
@@ -59,20 +60,31 @@ json character_numbers(const json& settings) {
 
   std::set<int> outside;
   int count = 0, undefined = 0, ball = settings.at("ball");
-  double radii = 0, optimal_radii = 0;
+  double radii = 0, optimal_radii = 0, worst = 0;
   json out;
+  for (std::size_t j = 0; j < pose.size(); ++j) {
+    const Point3 at = apply(pose[j], c.mesh.joints[j].origin);
+    out["joints"].push_back({at[0], at[1], at[2]});
+  }
   for (std::size_t n = 0; n < balls.size(); ++n) {
     if (c.tree.nodes[n].level != settings.at("level")) continue;
-    if (count++ == ball) out["ball_radius"] = balls[n].radius, out["ball_optimal"] = optimal[n].radius;
+    if (count++ == ball) {
+      out["ball_radius"] = balls[n].radius, out["ball_optimal"] = optimal[n].radius;
+      out["ball_vertices"] = c.vertices[static_cast<int>(n)].size();
+    }
     if (!(balls[n].radius >= 0)) {
       ++undefined;
       continue;
     }
     radii += balls[n].radius, optimal_radii += optimal[n].radius;
     for (const int v : c.vertices[static_cast<int>(n)])
-      if (encloses(inflate(balls[n], slack), deformed[v]) != Verdict::holds) outside.insert(v);
+      if (encloses(inflate(balls[n], slack), deformed[v]) != Verdict::holds) {
+        outside.insert(v);
+        worst = std::max(worst, norm<double, 3>(deformed[v] - balls[n].center) - balls[n].radius);
+      }
   }
   out["balls"] = count, out["undefined"] = undefined, out["vertices_outside"] = outside.size();
+  out["worst_miss"] = worst;
   out["mean_radius"] = radii / (count - undefined), out["mean_over_optimal"] = radii / optimal_radii;
   return out;
 }

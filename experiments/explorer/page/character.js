@@ -65,6 +65,7 @@ export class CharacterView {
       this.options(this.get('clip'), [['', 'reference pose'], ...c.clips.map(k => [k.name, k.name])]);
       if (!c.clips.some(k => k.name === this.settings.clip)) this.settings.clip = '';
       this.get('level').max = c.levels;
+      this.settings.level = Math.min(this.settings.level, c.levels);
       this.setClip(this.settings.clip);
       this.buildMeshes();
       this.frameCamera = true;
@@ -208,13 +209,15 @@ export class CharacterView {
     this.get('play').textContent = this.playing ? 'stop' : 'play';
     let last = performance.now();
     const step = now => {
+      if (step !== this.step) return;
       const length = Number(this.get('time').max);
       if (!this.playing || !length) return void (this.playing = false, this.get('play').textContent = 'play');
-      this.settings.time = (this.settings.time + (now - last) / 1000) % length;
+      this.settings.time = (this.settings.time + Math.max(0, now - last) / 1000) % length;
       last = now;
       this.show();
       requestAnimationFrame(step);
     };
+    this.step = step;
     if (this.playing) requestAnimationFrame(step);
   }
 

@@ -48,12 +48,12 @@ const slide = (locator, value) => locator.evaluate((input, v) => {
   input.value = v;
   input.dispatchEvent(new Event('input', {bubbles: true}));
 }, value);
-// What the page sends, and what stands in the chosen row of its table, as text.
+// What the page sends, where it draws the joints, and what stands in the chosen row of its table and below, as text.
 const shown = () => page.evaluate(() => {
-  const {settings, character} = window.refitlabExplorer.character;
+  const {settings, character, view} = window.refitlabExplorer.character;
   const row = document.querySelector('#explorer tr[data-chosen=true]');
   return {settings: {...settings, joint: character.joints.indexOf(settings.joint), twist: settings.twist * (Math.PI / 180)},
-          cells: [...row.cells].map(c => c.textContent)};
+          cells: [...row.cells].map(c => c.textContent), joints: view.joints, optimal: document.querySelector('#explorer .optimal').textContent};
 });
 
 const steps = [];
@@ -70,6 +70,16 @@ await step('another level and ball');
 await control('clip').selectOption('walk');
 await slide(control('time'), 0.3);
 await step('a walk');
+// Whoever starts it again before the next frame sees it at its own speed.
+const shows = await page.evaluate(() => new Promise(done => {
+  const {character} = window.refitlabExplorer, button = document.querySelector('#explorer [name=play]'), frames = 10;
+  let shown = 0, seen = 0;
+  for (let i = 0; i < 3; ++i) button.click();
+  character.show = () => (++shown, Object.getPrototypeOf(character).show.call(character));
+  const frame = () => ++seen < frames ? requestAnimationFrame(frame) : (delete character.show, button.click(), done(shown / frames));
+  requestAnimationFrame(frame);
+}));
+check(0 < shows && shows < 1.5, `a clip that was stopped and started again is shown ${shows} times a frame`);
 await control('clip').selectOption('');
 
 // A drag of the twisted joint, by the mouse. The picture may be scrolled, so the joint is asked for where it is.
@@ -93,23 +103,33 @@ await step('the same, repaired');
 await control('model').selectOption('snake');
 await page.waitForFunction(() => window.refitlabExplorer.character.settings.model === 'snake');
 await step('another model');
+check(await page.evaluate(() => window.refitlabExplorer.character.settings.level <= window.refitlabExplorer.character.character.levels),
+      'the level is one that the model has');
+check(await page.evaluate(() => [...document.querySelectorAll('#explorer canvas')].every(c => getComputedStyle(c).touchAction === 'pan-y')),
+      'a finger scrolls past the pictures');
 const models = await page.evaluate(() => window.refitlabExplorer.geometry.catalog.models);
 check(models.length === 3 + packed.length, `models to choose from: ${models.join(', ')}`);
 for (const model of models.slice(3)) {
   await control('model').selectOption(model);
   await page.waitForFunction(name => window.refitlabExplorer.character.settings.model === name, model);
+  const [near, distance, far] = await page.evaluate(() => (({camera, controls}) =>
+      [camera.near, camera.position.distanceTo(controls.target), camera.far])(window.refitlabExplorer.character.stage));
+  check(100 * near < distance && 10 * distance < far, `${model}: the camera, ${distance.toPrecision(3)} away, sees from ${near.toPrecision(3)} to ${far.toPrecision(3)}`);
   const clips = await page.evaluate(() => window.refitlabExplorer.character.character.clips);
   if (clips.length) await control('clip').selectOption(clips[0].name), await slide(control('time'), 0.4 * clips[0].duration);
   await step(model);
 }
 
 const answers = library(steps.map(s => s.settings));
-steps.forEach(({name, settings, cells}, i) => {
+steps.forEach(({name, settings, cells, joints, optimal}, i) => {
   const a = answers[i], number = text => Number(text.replace(/[✓✗ ]/g, ''));
   check(number(cells[1]) === a.vertices_outside && number(cells[2]) === a.undefined && cells[4] === a.mean_radius.toPrecision(4) &&
-            cells[5] === a.mean_over_optimal.toFixed(3) && cells[6] === (a.ball_radius?.toPrecision(4) ?? '—'),
+            cells[3] === (a.worst_miss ? a.worst_miss.toPrecision(3) : '0') && cells[5] === a.mean_over_optimal.toFixed(3) && cells[6] === (a.ball_radius?.toPrecision(4) ?? '—'),
         `${name}: ${settings.variant} shows ${cells.slice(1).join(', ')}; the library says ${a.vertices_outside} outside, ${a.undefined} undefined, ` +
-            `${a.mean_radius.toPrecision(4)}, ${a.mean_over_optimal.toFixed(3)}, ${a.ball_radius?.toPrecision(4)}`);
+            `${a.worst_miss.toPrecision(3)}, ${a.mean_radius.toPrecision(4)}, ${a.mean_over_optimal.toFixed(3)}, ${a.ball_radius?.toPrecision(4)}`);
+  check(optimal.includes(` of the ${a.ball_vertices} vertices `) && optimal.endsWith(` radius ${a.ball_optimal.toPrecision(4)}.`),
+        `${name}: ${optimal} The library says ${a.ball_optimal.toPrecision(4)}, of ${a.ball_vertices}`);
+  check(same(joints, a.joints), `${name}: ${joints.length} joints are where the library has them`);
 });
 const outside = name => answers[steps.findIndex(s => s.name === name)].vertices_outside;
 check(outside('as it opens') > 0 && outside('a drag of the joint') > 0, 'the printed algorithm loses vertices');

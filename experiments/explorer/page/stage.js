@@ -21,6 +21,7 @@ export class Stage {
     this.camera.add(sun);
     this.scene.add(this.camera);
     this.controls = new OrbitControls(this.camera, canvas);
+    canvas.style.touchAction = 'pan-y';  // the controls set none, and nobody could scroll past the picture
     this.controls.addEventListener('change', () => this.draw());
     canvas.addEventListener('keydown', event => this.key(event));
     const scheme = () => {
@@ -48,6 +49,9 @@ export class Stage {
   look(from, at) {
     this.camera.position.set(...from);
     this.controls.target.set(...at);
+    const distance = this.camera.position.distanceTo(this.controls.target);  // files have units of their own
+    this.camera.near = distance / 500, this.camera.far = distance * 100;
+    this.camera.updateProjectionMatrix();
     this.controls.update();
     this.draw();
   }

@@ -10,7 +10,6 @@ namespace refitlab::explorer {
 inline Page lemma1_page() {
   return {"lemma1",
           "Lemma 1: two definitions of a cap",
-          "lemma1_cap_definitions",
           "A half-space (x, d) ≥ D cuts a cap from the sphere; an apex and an angle describe the same cap. Push the "
           "plane until the "
           "half-space holds the whole sphere: no angle has the cosine that the printed lemma asks for. Or let the "

@@ -10,7 +10,6 @@ namespace refitlab::explorer {
 inline Page lemma2_page() {
   return {"lemma2",
           "Lemma 2: normalising keeps the rotations of a hull",
-          "lemma2_normalization",
           "Three quaternions of different lengths, and the same on the sphere. A blend a of the first has a partner b "
           "on the same ray "
           "in the hull of the second: the same rotation. Unless the hull holds 0, which is no rotation at all, as the "

@@ -10,7 +10,6 @@ namespace refitlab::explorer {
 inline Page lemma3_page() {
   return {"lemma3",
           "Lemma 3: a ball cuts a cap from the sphere",
-          "lemma3_sphere_surface_intersection",
           "The ball B cuts the unit sphere; the plane through the cut bounds a half-space with the same points of the "
           "sphere in it, and "
           "its distance d_H from 0 is known. Pull the ball away or shrink it inside: nothing is cut, and nothing is no "

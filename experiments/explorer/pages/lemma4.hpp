@@ -11,7 +11,6 @@ namespace refitlab::explorer {
 inline Page lemma4_page() {
   return {"lemma4",
           "Lemma 4: a ball bounds the blends of quaternions",
-          "lemma4_quaternion_hull",
           "The mean ball E around unit quaternions cuts a cap from the sphere. Every blend b, brought back to the "
           "sphere, lies in it. "
           "The printed condition r < 1 is more than is needed: three equal quaternions and one turned away have r = "

@@ -10,13 +10,11 @@ namespace refitlab::explorer {
 inline Page lemma5_page() {
   return {"lemma5",
           "Lemma 5: the smallest ball around a cap",
-          "lemma5_cap_enclosing_sphere",
           "The printed ball sits over the rim of the cap. Open the angle beyond 90°: its center slides behind the "
           "middle of the sphere "
           "and it lets go of the apex. The repaired ball stops there and keeps the whole cap. This is what breaks "
           "Algorithm 1.",
-          {{"angle α", 0, half_turn, 8, circle_text},
-           {"point x, share of α", 0, 10, 10, [](int k) { return std::to_string(10 * k) + " %"; }}},
+          {{"angle α", 0, half_turn, 8, circle_text}, {"point x, from the apex (0) to the rim (10)", 0, 10, 10, plain_text}},
           {{"a narrow cap", {6, 10}},
            {"exactly 90°", {12, 10}},
            {"beyond 90°: the apex escapes", {24, 10}},
@@ -30,7 +28,8 @@ void lemma5_scene(const Values& k, Scene<S>& scene) {
   const Cap<S, 3> cap{vec3<S>(0, 0, 0), unit, angle[0]};
   // Half an angle's tangent times a share below 1 gives a point of the cap.
   const S t = k[0] == half_turn ? S(k[1]) : S(S(k[0]) * S(k[1]) / S(120)), n = S(1) + t * t;
-  const Vec<S, 3> x = unit * S((S(1) - t * t) / n) + across * S(S(2) * t / n);
+  const Vec<S, 2> at = k[1] == 10 ? angle : Vec<S, 2>((S(1) - t * t) / n, S(2) * t / n);
+  const Vec<S, 3> x = unit * at[0] + across * at[1];
   const auto printed = cap_ball_printed(cap), repaired = cap_ball_repaired(cap);
   const auto smallest = smallest_cap_ball(cap, angle[1], across);
 

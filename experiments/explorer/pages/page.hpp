@@ -29,7 +29,7 @@ struct Preset {
 };
 
 struct Page {
-  std::string id, title, stem, text;  // stem: the file under lemmas/
+  std::string id, title, text;
   std::vector<Slider> sliders;
   std::vector<Preset> presets;
 };

@@ -13,7 +13,6 @@ namespace refitlab::explorer {
 inline Page whole_sphere_page() {
   return {"whole_sphere",
           "Section 4.3: when only the whole sphere will do",
-          "s43_whole_sphere_fallback",
           "Left, quaternions (the slice w, x, y of S₃): their mean ball E cuts a cap. Right, the space of the model: "
           "the cap of all "
           "rotations of a vector v, at twice the angle, and the ball around it. With a wide E the printed line 15 "
@@ -74,20 +73,19 @@ void whole_sphere_scene(const Values& k, Scene<S>& scene) {
   }
   const bool is_rotation = less(S(0), squared_norm(blend)) == Verdict::holds;
   scene.point("center", "v", v);
-  Verdict in_printed = Verdict::holds, in_repaired = Verdict::holds;
   if (is_rotation) {
     const Vec<S, 3> rotated = rotate_scaled(blend, v) / squared_norm(blend);
-    in_printed = encloses(printed, rotated), in_repaired = encloses(cap_ball_repaired(cap), rotated);
+    const Verdict in_printed = encloses(printed, rotated);
     scene.point(in_printed == Verdict::holds ? "inside" : "outside", "R_b v", rotated);
+    scene.verdict("printed", "its ball encloses R_b v", in_printed);
     scene.verdict("repaired", "R_b v is in the cap", rotated_blend_is_bounded(bound, blend, v));
+    scene.verdict("repaired", "the ball encloses R_b v", encloses(cap_ball_repaired(cap), rotated));
   }
   scene.number("r_E squared", squared_radius);
   scene.number("cos α", bound.cos_angle);
   scene.verdict("", "the ball makes a cap: r² < 1 + ‖c‖²", ball_makes_cap(center, squared_radius));
   scene.verdict("", "printed: r ≥ 1 asks for the whole sphere", fallback_is_needed_printed(squared_radius));
   scene.verdict("printed", "line 15 makes a ball", printed_ball);
-  scene.verdict("printed", "its ball encloses R_b v", in_printed);
-  scene.verdict("repaired", "the ball encloses R_b v", in_repaired);
 }
 
 }  // namespace refitlab::explorer

@@ -76,12 +76,11 @@ EMSCRIPTEN_KEEPALIVE const char* add_model() {
 EMSCRIPTEN_KEEPALIVE const char* catalog() {
   static std::string text;
   return answer(text, [] {
-    json out{{"models", the_explorer().models()}, {"compared", shown_variants()}};
-    for (const RefitVariant& v : compared_variants())
-      out["variants"].push_back({{"name", v.name}, {"description", v.description}, {"sound", v.sound}});
+    json out{{"models", the_explorer().models()}};
+    for (const RefitVariant& v : compared_variants()) out["variants"].push_back({{"name", v.name}, {"sound", v.sound}});
     for (const auto& live : explorer::live_pages<Exact>()) {
       const explorer::Page& p = live.page;
-      json page{{"id", p.id}, {"title", p.title}, {"stem", p.stem}, {"text", p.text}};
+      json page{{"id", p.id}, {"title", p.title}, {"text", p.text}};
       for (const auto& s : p.sliders)
         page["sliders"].push_back({{"label", s.label}, {"low", s.low}, {"high", s.high}, {"start", s.start}});
       for (const auto& preset : p.presets) page["presets"].push_back({{"label", preset.label}, {"values", preset.values}});
