@@ -27,7 +27,11 @@
 namespace refitlab {
 
 // by_length is the length of a vector. by_greatest_factor is how much a scale stretches.
-inline constexpr auto by_length = []<class S, int D>(const Vec<S, D>& x) -> S { return norm<S, D>(x); };
+// In float and double, squares of small speeds would underflow.
+inline constexpr auto by_length = []<class S, int D>(const Vec<S, D>& x) -> S {
+  if constexpr (std::is_floating_point_v<S>) return x.stableNorm();
+  else return norm<S, D>(x);
+};
 inline constexpr auto by_greatest_factor = []<class S, int D>(const Vec<S, D>& x) -> S {
   S greatest = max_of(x[0], S(-x[0]));
   for (int i = 1; i < D; ++i) greatest = max_of(greatest, max_of(x[i], S(-x[i])));

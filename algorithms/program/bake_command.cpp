@@ -140,14 +140,15 @@ Character baked_character(const Model& model) {
   return bake(std::move(mesh), {}, {Pieces::mixed}, joints_of(model));
 }
 
-// A note for each part that no node's ball encloses in any pose.
+// Returns a note for each part that no node's ball encloses in any pose.
 std::vector<std::string> parts_without_ball(const ModelBounds& bounds) {
   std::vector<std::string> out;
   for (std::size_t p = 0; p < bounds.any_pose.size(); ++p)
     if (!bounds.any_pose[p])
       out.push_back(name_of(bounds.parts[p].kind) +
                     (bounds.parts[p].index < 0 ? std::string() : ' ' + std::to_string(bounds.parts[p].index)) +
-                    ": has no ball for any pose, because no node is above all of its joints");
+                    ": has no ball for any pose: no node is above all of its joints, or a vertex of three joints or more is not "
+                    "blended linearly");
   return out;
 }
 

@@ -1251,7 +1251,7 @@ void parts_without_a_ball_for_any_pose(Suite& t) {
     const Called called = call({"bake", "--for", "any", apart, out}),
                  quiet = call({"bake", "--quiet", "--for", "any", apart, out}), clip = call({"bake", apart, out}),
                  whole = call({"bake", "--for", "any", in, out});
-    const std::string note = "has no ball for any pose, because no node is above all of its joints";
+    const std::string note = "has no ball for any pose: no node is above all of its joints";
     const bool good = called.code == 0 && called.errors.find("note: " + apart + ": mesh ") != std::string::npos &&
                       called.errors.find(note) != std::string::npos && quiet.errors.find(note) == std::string::npos &&
                       clip.errors.find(note) == std::string::npos && whole.code == 0 &&

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "lemmas/c8_any_pose.hpp"
 
@@ -127,6 +128,10 @@ std::optional<AnyPoseBound> bound_any_pose(const Model& model, const JointSets& 
           static_cast<std::size_t>(std::mismatch(above.begin(), above.end(), path.begin(), path.end()).first - above.begin()));
     }
   if (above.empty()) return std::nullopt;
+  // Of three rotations, two may come to lie on opposite sides, and their blend may vanish.
+  if (skinning != Skinning::linear)
+    for (const auto& [set, list] : lengths)
+      if (sets.joints(set).size() > 2) return std::nullopt;
 
   // The vertices below the node are carried by its scale and those above it, and not by its translation.
   const std::vector<LinkRange<double>> carrying = ranges.links(above);
@@ -159,7 +164,7 @@ std::optional<AnyPoseBound> bound_any_pose(const Model& model, const JointSets& 
     greatest = std::max(greatest, reach + beside + std::sqrt(squared_stray_in_any_pose(squared_spread)));
   }
   const double rounding = renderer_rounding * (summed + reach_of_chain<double>(carrying, 0));
-  return AnyPoseBound{above.back(), (greatest + rounding) * room_for_rounding};
+  return AnyPoseBound{above.back(), (greatest + rounding) * room_for_rounding + underflow_of_distance<double>()};
 }
 
 }  // namespace refitlab

@@ -279,6 +279,13 @@ Point3 near_center(std::span<const Point3> points) {
   }
 }
 
+void check_directions(std::span<const Point3> directions) {
+  const bool are_in_range = std::all_of(directions.begin(), directions.end(),
+                                        [](const Point3& n) { return n.stableNorm() >= 1e-100 && n.stableNorm() <= 1e100; });
+  if (directions.empty() || !are_in_range)
+    throw std::invalid_argument("bound_over_time: there is no direction, or one whose length is not from 1e-100 to 1e100");
+}
+
 }  // namespace
 
 BoundOverTime bound_over_time(const MovingJoints& joints, const MovingVertices& vertices, const OverTimeOptions& options) {
@@ -290,10 +297,14 @@ BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const
                               const OverTimeOptions& options) {
   const DefaultFloatEnvironment environment;
   if (!(options.tolerance > 0)) throw std::invalid_argument("bound_over_time: the tolerance is not positive");
+  check_directions(options.directions);
   BoundOverTime out;
   for (const MovingJoints* of : joints)
-    for (const ParameterBox& box : of->boxes())
-      out.farthest_image = std::max(out.farthest_image, vertices.farthest_image(of->cell(box)));
+    for (const ParameterBox& box : of->boxes()) {
+      const JointCell cell = of->cell(box);
+      out.error_per_rounding = std::max(out.error_per_rounding, vertices.error_per_rounding(cell));
+      out.error_per_weight = std::max(out.error_per_weight, vertices.error_per_weight(cell));
+    }
   DirectionFunctions directions(options.directions, options.tolerance);
   Search slabs(joints, vertices, directions, options.most_halvings);
   slabs.run();
@@ -316,6 +327,7 @@ Box<double> box_of(std::span<const Slab<double>> slabs) {
 }
 
 Box<float> rounded_outward(const Box<double>& box) {
+  const DefaultFloatEnvironment environment;
   Box<float> out;
   for (int i = 0; i < 3; ++i) out.low[i] = float_below(box.low[i]), out.high[i] = float_above(box.high[i]);
   return out;

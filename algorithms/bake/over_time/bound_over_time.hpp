@@ -21,6 +21,7 @@ struct OverTimeOptions {
   // A bound may be larger than needed by this share: in the volume of the box of the slabs along the axes, and in that of the
   // ball. It is more than 0. Only the excess that halving cells can change counts.
   double tolerance = 0.01;
+  // There is at least one, and its length is from 1e-100 to 1e100.
   std::vector<Point3> directions = {Point3::UnitX(), Point3::UnitY(), Point3::UnitZ()};
   bool with_ball = true;
   // This limits the halvings of all cells together, for slabs and for the ball. Without it, a set of vertices that hardly has a
@@ -40,13 +41,13 @@ struct BoundOverTime {
   // For joints with one parameter, these are the intervals from which both bounds are made. They cover the parameter, in order of
   // time.
   std::vector<ProvenInterval> slab_intervals, ball_intervals;
-  double farthest_image = 0;  // of the vertices by their joints (MovingVertices::farthest_image); units of the file
-  int moments = 0;            // at which the vertices were skinned
-  double gap = 0;             // the most by which a slab is wider than the vertices that were seen at moments; units of the file
+  double error_per_rounding = 0, error_per_weight = 0;  // as in MovingVertices, at any time; units of the file
+  int moments = 0;                                      // at which the vertices were skinned
+  double gap = 0;  // the most by which a slab is wider than the vertices that were seen at moments; units of the file
 };
 
 // Returns bounds that hold for all that any of these joints, at least one, can do. Throws std::invalid_argument for a tolerance
-// that is not positive, and what MovingVertices::slack throws.
+// that is not positive and for directions out of range, and what MovingVertices::slack throws.
 BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const MovingVertices& vertices,
                               const OverTimeOptions& options = {});
 BoundOverTime bound_over_time(const MovingJoints& joints, const MovingVertices& vertices, const OverTimeOptions& options = {});

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <numeric>
@@ -51,9 +52,13 @@ std::vector<std::vector<int>> meshlets(const Model& model, const std::vector<int
     std::rotate(key.begin(), std::min_element(key.begin(), key.end()), key.end());
     triangle_of[key].push_back(t);
   }
-  std::vector<float> positions;
-  for (const Point3& v : model.vertices)
-    for (const double x : v) positions.push_back(static_cast<float>(x));
+  // As seen at a size of 1, where floats neither overflow nor underflow when they are squared.
+  double size = 0;
+  for (const unsigned v : indices) size = std::max(size, model.vertices[v].cwiseAbs().maxCoeff());
+  const int exponent = size > 0 ? std::ilogb(size) : 0;
+  std::vector<float> positions(3 * model.vertices.size(), 0);
+  for (const unsigned v : indices)
+    for (unsigned i = 0; i < 3; ++i) positions[3 * v + i] = static_cast<float>(std::ldexp(model.vertices[v][i], -exponent));
   const auto triangle_limit = static_cast<std::size_t>(most_triangles);
   std::vector<meshopt_Meshlet> found(meshopt_buildMeshletsBound(indices.size(), most_meshlet_vertices, triangle_limit));
   std::vector<unsigned> vertices(found.size() * most_meshlet_vertices);
@@ -93,15 +98,15 @@ std::vector<Point3> directions_of_dop(int dop) {
   return out;
 }
 
-// Widens a bound by what renderers lose, and by what a vertex is off because its weights are multiples of 2^-24 (quantize.hpp): each of
-// them by less than that, times an image. Both are shares of the images' distances from the scene's origin, even where these cancel.
-// Throws ModelError, with this thing of the file, if floats do not hold the bound.
+// Widens a bound by what renderers lose, and by what a vertex is off because its weights are multiples of 2^-24 (quantize.hpp), each of
+// them off by less than that. Throws ModelError, with this thing of the file, if floats do not hold the bound.
 BoundedPart outward(const BoundOverTime& bound, int joints, double renderer_rounding, const std::string& file,
                     const std::string& thing) {
   Box<double> box = box_of(bound.slabs);
   double farthest = 0;
   for (int i = 0; i < 3; ++i) farthest = std::max({farthest, std::abs(box.low[i]), std::abs(box.high[i])});
-  const double more = (renderer_rounding + std::ldexp(joints > 1 ? joints : 0, -weight_bits)) * bound.farthest_image;
+  const double more =
+      renderer_rounding * bound.error_per_rounding + std::ldexp(joints > 1 ? joints : 0, -weight_bits) * bound.error_per_weight;
   box.grow(more);
   BoundedPart out = {rounded_outward(box), rounded_outward(Ball3<double>{bound.ball.center, bound.ball.radius + more})};
   const auto directions = slab_directions(static_cast<int>(2 * bound.slabs.size()));
@@ -112,6 +117,14 @@ BoundedPart outward(const BoundOverTime& bound, int joints, double renderer_roun
   }
   if (!is_sound(out)) throw ModelError(file, thing, "its vertices go beyond the range of float");
   return out;
+}
+
+// Throws ModelError if what is around bounds of several clips, or in any pose, goes beyond the range of float.
+void check_range(const Model& model, const ModelBounds& bounds) {
+  bool is_in_range = true;
+  for (const BoundedPart& part : bounds_of_all(bounds)) is_in_range = is_in_range && is_sound(part);
+  for (const auto& any : bounds.any_pose) is_in_range = is_in_range && (!any || any->radius <= std::numeric_limits<float>::max());
+  if (!is_in_range) throw ModelError(model.name, "all clips together", "its vertices go beyond the range of float");
 }
 
 // Returns whether the part has all triangles of the cluster.
@@ -155,6 +168,7 @@ const char* name_of(PartKind kind) {
 }
 
 std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles) {
+  const DefaultFloatEnvironment environment;
   if (cluster_triangles != 0 &&
       (cluster_triangles < 4 || cluster_triangles > most_meshlet_triangles || cluster_triangles % 4 != 0))
     throw std::invalid_argument("parts_of: clusters have a multiple of 4 triangles, from 4 to 512");
@@ -305,10 +319,12 @@ ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options) {
     for (const ModelPart& part : out.parts)
       if (part.kind != PartKind::cluster)
         out.any_pose.push_back(bound_any_pose(model, sets, part.vertices, options.skinning, options.renderer_rounding));
+  check_range(model, out);
   return out;
 }
 
 BoundedPart around(std::span<const BoundedPart> parts) {
+  const DefaultFloatEnvironment environment;
   BoundedPart out = parts[0];
   std::vector<Ball3<double>> balls;
   for (const BoundedPart& part : parts) {
@@ -322,6 +338,7 @@ BoundedPart around(std::span<const BoundedPart> parts) {
 }
 
 std::vector<BoundedPart> bounds_of_all(const ModelBounds& bounds) {
+  const DefaultFloatEnvironment environment;
   std::vector<BoundedPart> out;
   for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
     std::vector<BoundedPart> of_clips = {bounds.rest[p]};

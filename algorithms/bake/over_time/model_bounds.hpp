@@ -52,7 +52,7 @@ struct ModelBounds {
   std::vector<BoundedClip> clips;                  // those of the model, in order
   RotationBlend rotations = RotationBlend::slerp;  // as crossfades blend them
   std::vector<BoundedCrossfade> crossfades;        // of each two clips; empty unless asked for
-  // By part, clusters left out, and none where no node is above all joints; empty unless asked for.
+  // By part, clusters left out, and none where bound_any_pose has none; empty unless asked for.
   std::vector<std::optional<AnyPoseBound>> any_pose;
   std::vector<BoundedPart> rest;        // by part: the joints where the file's nodes leave them without a clip
   std::vector<BoundedPart> rest_nodes;  // the same by node
@@ -74,7 +74,7 @@ struct ModelBoundsOptions {
   bool any_pose = false;                           // bound what poses of code could do, too
   bool with_intervals = false;                     // keep the intervals of the clips' bounds
   // Bounds are wider by this share of the distance of a vertex's images by its joints from the scene's origin, because a renderer skins
-  // in float and is off by as much.
+  // in float and is off by as much. Where blended quaternions are short, they are wider by more (MovingVertices::error_per_rounding).
   double renderer_rounding = 0x1p-19;
   // This is called with the share that is done, from any thread, one call at a time.
   std::function<void(double)> progress = {};
@@ -84,12 +84,13 @@ struct ModelBoundsOptions {
 // for cluster_triangles out of range.
 std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles);
 
-// Bounds the parts of a model, on all processors. Throws ModelError where there is no bound and for a model without keys,
+// Bounds the parts of a model, on all processors. Throws ModelError where there is no bound or floats do not hold it, and for a model
+// without keys,
 // std::invalid_argument for a k that is none of dop_sizes, and what parts_of throws.
 ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options = {});
 
 // Returns the smallest k-DOP around all parts, of which there is at least one, and the smallest ball, rounded outward. All have
-// the same k.
+// the same k. The ball is all of space if it goes beyond the range of float, which bound_model refuses.
 BoundedPart around(std::span<const BoundedPart> parts);
 
 // Returns, by part, the bounds that hold in all clips, in the rest pose and in all crossfades that were asked for.

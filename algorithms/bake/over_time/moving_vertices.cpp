@@ -9,7 +9,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "algorithms/bake/over_time/half_turns.hpp"
 #include "algorithms/bake/over_time/node_motions.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
 #include "algorithms/runtime/skinning/rotation_center.hpp"
@@ -274,12 +276,14 @@ MovingVertices::Rotations MovingVertices::rotations(const Set& set, const JointC
   const double off = 2 * (relative_rounding(set, cell) + cell.defect);
   const auto change = [&](std::size_t k, std::size_t l) { return turned[k] + turned[l] + off; };
   std::vector<bool> keeps_sign;
-  for (std::size_t k = 0; k < joints.size(); ++k) keeps_sign.push_back(k == 0 || cosine(0, k) > change(0, k));
+  // A renderer in float chooses the other sign where rotations are half a turn apart, to within its rounding.
+  for (std::size_t k = 0; k < joints.size(); ++k)
+    keeps_sign.push_back(k == 0 || cosine(0, k) > change(0, k) + rounding_of_cosine_in_float);
   Rotations out{std::find(keeps_sign.begin(), keeps_sign.end(), false) == keeps_sign.end(), {}};
   for (std::size_t k = 0; k < joints.size(); ++k)
     for (std::size_t l = k + 1; l < joints.size(); ++l) {
       double least = keeps_sign[k] && keeps_sign[l] ? cosine(k, l) - change(k, l) : -std::abs(cosine(k, l)) - change(k, l);
-      if (k == 0) least = std::max(least, 0.0);  // to the first one all signs are so chosen
+      if (k == 0) least = std::max(least, -rounding_of_cosine_in_float);  // to the first one all signs are so chosen
       out.cosines.push_back(std::max(least, -1.0));
     }
   return out;
@@ -343,11 +347,29 @@ double MovingVertices::farthest_image(const Set& set, const JointCell& cell) con
   return size;
 }
 
-double MovingVertices::farthest_image(const JointCell& cell) const {
+// A dual quaternion whose parts are q and d carries a vertex, seen from where it is before it is skinned, to 2 d q* / ||q||^2. Let A be
+// the greatest length of an image by one joint. Then ||d|| <= A / 2, for the joints' unit dual quaternions and so for their blend. Weights
+// that are off by e together change d by A e / 2 at most, and q by e, so that q* / ||q||^2 changes by e / (||q|| ||q'||), where q' is the
+// changed blend. That is A e (1 / ||q|| + 1 / (||q|| ||q'||)) in all. The same is taken for blends about a rotation center.
+double MovingVertices::growth_of_weights(const Set& set, const JointCell& cell) const {
+  if (skinning_ == Skinning::linear || joint_sets_.joints(set.index).size() == 1) return 1;
+  const double least = std::sqrt(std::max(squared_blend(set, rotations(set, cell)), squared_shortest_blend));
+  return 1 / least + 1 / sq(least);
+}
+
+double MovingVertices::error_per_rounding(const JointCell& cell) const {
   const DefaultFloatEnvironment environment;
-  double size = 0;
-  for (const Set& set : sets_) size = std::max(size, farthest_image(set, cell));
-  return size;
+  double most = 0;
+  // Without a blend of quaternions, or if they are all the same, an image is off by its own error.
+  for (const Set& set : sets_) most = std::max(most, farthest_image(set, cell) * std::max(growth_of_weights(set, cell) / 2, 1.0));
+  return most;
+}
+
+double MovingVertices::error_per_weight(const JointCell& cell) const {
+  const DefaultFloatEnvironment environment;
+  double most = 0;
+  for (const Set& set : sets_) most = std::max(most, farthest_image(set, cell) * growth_of_weights(set, cell));
+  return most;
 }
 
 int MovingVertices::most_joints() const {
@@ -365,7 +387,7 @@ double MovingVertices::placing_error(const JointCell& cell) const {
       relative *= skinning_ == Skinning::spherical ? growth_about_center : 1 / squared_shortest_blend;
       relative += error_per_defect * cell.defect * (1 + cell.defect);
     }
-    error = std::max(error, relative * farthest_image(set, cell));
+    error = std::max(error, relative * farthest_image(set, cell) + underflow_of_distance<double>());
   }
   return error;
 }

@@ -46,9 +46,12 @@ class MovingVertices {
   // Throws ModelError if it must but there is no bound, which happens for a blend of three or more rotations that may vanish.
   CellSlack slack(const JointCell& cell, Finite finite) const;
 
-  // Returns the greatest distance from the scene's origin, at any moment of the cell, of any image of a vertex by one of its joints. Rounding
-  // errors of a blend are relative to it, even if the images mostly cancel.
-  double farthest_image(const JointCell& cell) const;
+  // Returns what a vertex is off by at most, at any moment of the cell, for each unit of relative error in a skinning's steps. It is the
+  // greatest distance from the scene's origin of an image of a vertex by one of its joints, even if the images mostly cancel; and more
+  // where blended quaternions are short.
+  double error_per_rounding(const JointCell& cell) const;
+  // Returns the same for each unit by which the sum of the weights' absolute errors is off.
+  double error_per_weight(const JointCell& cell) const;
 
   // Returns the greatest number of joints of a vertex.
   int most_joints() const;
@@ -84,6 +87,8 @@ class MovingVertices {
   // Returns the rounding error of the computed rotations and images of the set's joints, relative to the sizes of their summands.
   double relative_rounding(const Set& set, const JointCell& cell) const;
   double farthest_image(const Set& set, const JointCell& cell) const;
+  // Returns the factor by which the blend of a set enlarges an error of the weights.
+  double growth_of_weights(const Set& set, const JointCell& cell) const;
   // These return the chords of linear blends and of dual quaternions, by parameter. Chords are infinite where the latter may
   // vanish.
   std::vector<double> linear_chords(const Set& set, const JointCell& cell) const;

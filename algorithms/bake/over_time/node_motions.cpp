@@ -187,6 +187,7 @@ ChainMotion<double> still_link(const SceneNode& node) {
 
 std::vector<ChainMotion<double>> link_motions(const std::vector<SceneNode>& nodes, const Animation& animation, double start,
                                               double end) {
+  const DefaultFloatEnvironment environment;
   std::vector<ChainMotion<double>> links;
   for (const SceneNode& node : nodes) links.push_back(still_link(node));
   for (const NodeTrack& track : animation.tracks) links[track.node] = chain_of(track_motion(track, start, end));
@@ -282,6 +283,7 @@ double growth_of_rounding(const Animation& animation, double start, double end) 
 
 std::vector<ChainMotion<double>> chain_motions(const std::vector<SceneNode>& nodes,
                                                const std::vector<ChainMotion<double>>& links) {
+  const DefaultFloatEnvironment environment;
   std::vector<ChainMotion<double>> chains = links;
   for (std::size_t n = 0; n < nodes.size(); ++n)
     if (nodes[n].parent >= 0) chains[n] = compose(chains[nodes[n].parent], links[n]);
@@ -290,6 +292,7 @@ std::vector<ChainMotion<double>> chain_motions(const std::vector<SceneNode>& nod
 
 ChainMotion<double> chain_below(const std::vector<SceneNode>& nodes, const std::vector<ChainMotion<double>>& links, int ancestor,
                                 int node) {
+  const DefaultFloatEnvironment environment;
   ChainMotion<double> chain = no_links<double>();
   for (; node != ancestor; node = nodes[node].parent) chain = compose(links[node], chain);
   return chain;

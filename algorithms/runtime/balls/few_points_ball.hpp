@@ -7,6 +7,7 @@
 // walk of smallest_ball.hpp takes over.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <type_traits>
 
@@ -140,6 +141,12 @@ SmallestBall<S, D> ball_between(const Vec<S, D>& a, const Vec<S, D>& b) {
   return ball;
 }
 
+// Returns whether all coordinates are finite.
+template <class S, int D>
+bool are_finite(std::span<const Vec<S, D>> points) {
+  return std::all_of(points.begin(), points.end(), [](const Vec<S, D>& p) { return p.allFinite(); });
+}
+
 template <int most, class S, int D>
 SmallestBall<S, D> pivot_or_walk(std::span<const Vec<S, D>> points) {
   FewPoints<S, D, most> few(points);
@@ -157,6 +164,7 @@ SmallestBall<S, D> few_points_ball(std::span<const Vec<S, D>> points) {
   if (points.size() == 3) return three_points_ball(points[0], points[1], points[2]);
   if (points.size() <= 32) return pivot_or_walk<32>(points);
   if (points.size() <= 512) return pivot_or_walk<512>(points);
+  if (!are_finite(points)) return undefined_smallest_ball<S, D>();
   return smallest_ball(points);
 }
 

@@ -19,6 +19,7 @@ constexpr Skinning chunk_skinnings[] = {Skinning::linear, Skinning::dual_quatern
 std::string chunk_of(const BakedFile& baked) {
   BinaryWriter body;
   const auto* skinning = std::find(std::begin(chunk_skinnings), std::end(chunk_skinnings), baked.skinning);
+  if (skinning == std::end(chunk_skinnings)) throw std::invalid_argument("chunk_of: a file has no bounds of Hejl's skinning");
   body.number(static_cast<std::uint32_t>(skinning - chunk_skinnings));
   body.number(static_cast<std::uint32_t>(baked.rotations));
   const auto add = [&](const std::string& part) { body.number(static_cast<std::uint64_t>(part.size())), body.bytes += part; };

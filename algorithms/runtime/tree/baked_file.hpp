@@ -32,6 +32,7 @@ struct BakedFile {
 };
 
 // Returns the chunk of refitlab, which has the skinning, how crossfades blend rotations, the baked character and the clusters.
+// Throws std::invalid_argument for Skinning::hejl, of which there are no bounds over time.
 std::string chunk_of(const BakedFile& baked);
 
 // Returns what a chunk has. There may be up to three zeros behind it. Throws ModelError for a chunk that is damaged.

@@ -19,7 +19,7 @@ bool is_range(long first, long count, std::size_t size) {
 
 bool is_ball(const Ball3<double>& ball) {
   // A greatest coefficient of some with a NaN may be another.
-  return ball.center.allFinite() && ball.center.cwiseAbs().maxCoeff() <= largest_coordinate && ball.radius >= 0 &&
+  return ball.center.allFinite() && ball.center.cwiseAbs().maxCoeff() <= largest_coordinate * (1 + 1e-12) && ball.radius >= 0 &&
          ball.radius <= 4 * largest_coordinate;
 }
 
