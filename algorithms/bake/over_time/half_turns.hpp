@@ -14,7 +14,7 @@ namespace refitlab {
 inline constexpr double rounding_of_cosine_in_float = 0x1p-18;
 
 // Returns a sentence for each joint of each clip that turns by half a turn from one key to the next, to within that rounding. Bounds hold
-// for the way of the exact sign.
+// for the way of the exact sign. (Joints of one vertex that are half a turn apart are bounded both ways, by MovingVertices.)
 std::vector<std::string> half_turns(const Model& model);
 
 }  // namespace refitlab

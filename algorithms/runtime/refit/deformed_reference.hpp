@@ -50,7 +50,8 @@ class DeformedReference {
 };
 
 // Returns the character whose reference pose is that of the deformation, in double, for everything that takes a character. All
-// of it is made at once. It has no morph targets.
+// of it is made at once. It has no morph targets. Throws ModelError for a deformation that check_deformation refuses, and where a
+// deformed vertex is beyond largest_coordinate.
 Character deformed_character(const Character& character, const Deformation& deformation);
 
 }  // namespace refitlab
