@@ -300,7 +300,7 @@ void crossfades(Suite& t) {
             check_clips_of_many_keys);
 }
 
-void parts_of_crossfades_and_what_is_refused(Suite& t) {
+void parts_of_crossfades_and_rounded_weights(Suite& t) {
   t.example("while one clip fades to another, the box of each skin, mesh and primitive is that of its own clusters together", {},
             [] {
               const gen::TemporaryFolder folder;
@@ -359,6 +359,9 @@ void parts_of_crossfades_and_what_is_refused(Suite& t) {
         }
     return Checked(true, tried);
   });
+}
+
+void what_is_refused(Suite& t) {
   t.example("what is not finite, or beyond the range of float, is refused with the clip", {}, [] {
     std::string wrong;
     const auto refused = [&](const Model& model, const std::string& reason) {
@@ -701,7 +704,8 @@ PROPTEST(model_bounds) {
   clusters_and_moments(t);
   volumes_around_what_is_sampled(t);
   crossfades(t);
-  parts_of_crossfades_and_what_is_refused(t);
+  parts_of_crossfades_and_rounded_weights(t);
+  what_is_refused(t);
   any_lengths(t);
   blends_of_rotations(t);
   t.example("progress goes up to the whole", {}, [] {
