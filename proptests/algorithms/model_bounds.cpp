@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <set>
 #include <stdexcept>
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/bake/over_time/animated_joints.hpp"
+#include "algorithms/bake/over_time/half_turns.hpp"
 #include "algorithms/model/keyed.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/results/write_whole.hpp"
+#include "algorithms/runtime/mesh/quantize.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/model_of_nodes.hpp"
 #include "proptests/gen/rich_gltf.hpp"
@@ -63,6 +66,23 @@ Model two_nodes_with_two_clips(bool jumps) {
     model.clips.push_back({name, 80 / 4.0, {}, {name, 80 / 4.0, {track}}});
   }
   return model;
+}
+
+// A triangle about the second of two nodes, which is this far from the origin along each axis, on the one side in one clip and on the
+// other side in the other one.
+Model at_opposite_ends(double far) {
+  Model model = two_nodes_with_two_clips(true);
+  for (const std::size_t clip : {0u, 1u})
+    model.clips[clip].animation.tracks[0].positions = {{{0, Eigen::Vector3d::Constant(clip == 0 ? -far : far)}}};
+  return model;
+}
+
+bool holds(const BoundedPart& part, const std::vector<Point3>& points) {
+  return std::all_of(points.begin(), points.end(), [&](const Point3& x) {
+    return (x.array() >= part.box.low.cast<double>().array()).all() &&
+           (x.array() <= part.box.high.cast<double>().array()).all() &&
+           (x - part.ball.center.cast<double>()).norm() <= part.ball.radius;
+  });
 }
 
 void clusters_and_moments(Suite& t) {
@@ -280,7 +300,7 @@ void crossfades(Suite& t) {
             check_clips_of_many_keys);
 }
 
-void parts_of_crossfades_and_what_is_refused(Suite& t) {
+void parts_of_crossfades_and_rounded_weights(Suite& t) {
   t.example("while one clip fades to another, the box of each skin, mesh and primitive is that of its own clusters together", {},
             [] {
               const gen::TemporaryFolder folder;
@@ -339,6 +359,9 @@ void parts_of_crossfades_and_what_is_refused(Suite& t) {
         }
     return Checked(true, tried);
   });
+}
+
+void what_is_refused(Suite& t) {
   t.example("what is not finite, or beyond the range of float, is refused with the clip", {}, [] {
     std::string wrong;
     const auto refused = [&](const Model& model, const std::string& reason) {
@@ -355,11 +378,324 @@ void parts_of_crossfades_and_what_is_refused(Suite& t) {
     far.clips[1].animation.tracks.push_back(
         {0, {{{0, {0, 0, 0}}}}, {{{0, Eigen::Quaterniond::Identity()}}}, {{{0, Eigen::Vector3d::Constant(1e300)}}}});
     refused(far, "joint 'b', time");
+    far = at_opposite_ends(2.5e38);
+    refused(far, "all clips together: its vertices go beyond the range of float");
     far = two_nodes_with_two_clips(true);
     far.morphs = {{0, {std::numeric_limits<double>::infinity()}, {}}};
     refused(far, "a weight of a morph target is not finite");
-    return Checked(wrong.empty(), 3, wrong);
+    return Checked(wrong.empty(), 4, wrong);
   });
+  t.example("a ball for any pose beyond the range of float is refused, where the clips' bounds are within it", {}, [] {
+    Model model = at_opposite_ends(2.4e38);
+    model.clips.pop_back();
+    model.influences.assign(3, {{0, 0.5}, {1, 0.5}});
+    for (const bool any_pose : {false, true}) {
+      bool is_refused = false;
+      try {
+        bound_model(model, {.cluster_triangles = 0, .any_pose = any_pose});
+      } catch (const ModelError& e) {
+        is_refused =
+            std::string(e.what()).find("all clips together: its vertices go beyond the range of float") != std::string::npos;
+      }
+      if (is_refused != any_pose) return Checked(false, 2, any_pose ? "accepted" : "refused without it");
+    }
+    return Checked(true, 2);
+  });
+}
+
+class Numbers {
+ public:
+  explicit Numbers(unsigned seed) : random_(seed) {}
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
+  Point3 vector() { return {between(-1, 1), between(-1, 1), between(-1, 1)}; }
+  Eigen::Quaterniond turn() {
+    std::normal_distribution<double> number;
+    return Eigen::Quaterniond(number(random_), number(random_), number(random_), number(random_)).normalized();
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+unsigned drawn_seed() { return *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<unsigned>()); }
+
+// Triangles between any of some vertices, perhaps of one alone or there twice, and two nodes that move in each clip. All lengths are in
+// this unit, those of the clips up to `way` of them.
+Model heap_of_triangles(double unit, double way, int triangles, int clips, unsigned seed) {
+  Numbers random(seed);
+  const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+  const NodeTransform rest{Point3::Zero(), Eigen::Vector3d::Ones(), Eigen::Quaterniond::Identity()};
+  Model model = gen::model_of_nodes("heap", {{"a", -1, identity, -1, rest}, {"b", 0, identity, -1, rest}});
+  const int vertices = 1 + random.below(60);
+  for (int v = 0; v < vertices; ++v) {
+    model.vertices.emplace_back(unit * random.vector());
+    if (random.below(2) == 0) model.influences.push_back({{0, 0.25}, {1, 0.75}});
+    else model.influences.push_back({{random.below(2), 1}});
+  }
+  for (int t = 0; t < triangles; ++t)
+    model.triangles.push_back({random.below(vertices), random.below(vertices), random.below(vertices)});
+  for (int clip = 0; clip < clips; ++clip) {
+    Animation animation{"clip", 1, {}};
+    for (const int node : {0, 1})
+      animation.tracks.push_back({node,
+                                  {{{0, way * unit * random.vector()}, {1, way * unit * random.vector()}}},
+                                  {{{0, random.turn()}, {1, random.turn()}}},
+                                  {{{0, Eigen::Vector3d::Ones()}}}});
+    model.clips.push_back({"clip", 1, {}, animation});
+  }
+  validate(model);
+  return model;
+}
+
+bool have_each_triangle_once(const Model& model, const std::vector<ModelPart>& parts) {
+  std::vector<int> seen(model.triangles.size(), 0);
+  for (const ModelPart& part : parts)
+    for (const int t : part.triangles) {
+      ++seen[static_cast<std::size_t>(t)];
+      for (const int v : model.triangles[static_cast<std::size_t>(t)])
+        if (!std::binary_search(part.vertices.begin(), part.vertices.end(), v)) return false;
+    }
+  return std::count(seen.begin(), seen.end(), 1) == static_cast<long>(seen.size());
+}
+
+// Whether the vertices of all parts are inside of their bounds at some moments of these joints.
+bool hold_what_is_sampled(const Model& model, const std::vector<ModelPart>& parts, const std::vector<BoundedPart>& bounds,
+                          const MovingJoints& joints, const std::vector<ParameterMoment>& moments) {
+  const JointSets sets(model);
+  std::vector<Point3> points;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const MovingVertices vertices(model, sets, Skinning::linear, parts[p].vertices);
+    for (const ParameterMoment& moment : moments) {
+      vertices.place(*joints.at(moment), Followed::skinned, points);
+      if (!holds(bounds[p], points)) return false;
+    }
+  }
+  return true;
+}
+
+void check_any_lengths() {
+  const double unit = *rc::gen::element(1e-40, 1e-6, 1.0, 1e6, 1e18, 1e20, 1e30, 1e37), way = *rc::gen::element(1.0, 1.0, 60.0);
+  const int triangles = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, 601)), clips = *rc::gen::element(0, 1, 2, 2);
+  const int clustered = *rc::gen::element(0, 16, 128, 512);
+  const bool fades = clips == 2 && *rc::gen::arbitrary<bool>();
+  const unsigned seed = drawn_seed();
+  RC_LOG() << "unit " << unit << ", way " << way << ", " << triangles << " triangles, " << clips << " clips, clusters of "
+           << clustered << (fades ? ", crossfades" : "") << ", seed " << seed;
+  RC_CLASSIFY(unit < 1e-6 || unit > 1e6, "degenerate");
+  const Model model = heap_of_triangles(unit, way, triangles, clips, seed);
+  if (clustered != 0) RC_ASSERT(have_each_triangle_once(model, parts_of(model, clustered)));
+  ModelBounds made{};
+  try {
+    made = bound_model(model, {.tolerance = 0.1,
+                               .cluster_triangles = clustered,
+                               .crossfades = fades,
+                               .crossfade_tolerance = 1,
+                               .rotations = RotationBlend::nlerp});
+  } catch (const ModelError& e) {
+    RC_TAG("refused");
+    RC_ASSERT(std::string(e.what()).find("its vertices go beyond the range of float") != std::string::npos);
+    RC_ASSERT(unit * way >= 1e37);
+    return;
+  }
+  RC_TAG(fades ? "bounded with crossfades" : "bounded");
+  for (const BoundedPart& part : bounds_of_all(made)) RC_ASSERT(is_sound(part));
+  for (const BoundedPart& part : made.rest) RC_ASSERT(is_sound(part));
+  std::vector<ParameterMoment> moments, faded;
+  for (const double share : {0.0, 0.31, 0.5, 1.0}) {
+    moments.push_back({{{share, Side::after}}});
+    for (const double other : {0.0, 0.73}) faded.push_back({{{share, Side::after}, {other, Side::after}, {share, Side::after}}});
+  }
+  for (std::size_t c = 0; c < made.clips.size(); ++c) {
+    for (const BoundedPart& part : made.clips[c].parts) RC_ASSERT(is_sound(part));
+    const AnimatedJoints joints(model, model.clips[c].animation, false);
+    RC_ASSERT(hold_what_is_sampled(model, made.parts, made.clips[c].parts, joints, moments));
+  }
+  const std::vector<int> both = {0, 1};
+  for (const BoundedCrossfade& fade : made.crossfades) {
+    const CrossfadedJoints joints(model, model.clips[0].animation, model.clips[1].animation, both, RotationBlend::nlerp, false);
+    RC_ASSERT(hold_what_is_sampled(model, made.parts, fade.parts, joints, faded));
+  }
+}
+
+void any_lengths(Suite& t) {
+  t.holds(
+      "whatever the unit of lengths is, clusters have each triangle once, and bounds are finite and hold what is sampled, or the "
+      "model is refused because it is beyond the range of float",
+      {.number_type = "double",
+       .cases = 80,
+       .degenerate_at_least = 0.3,
+       .degenerate_at_most = 0.9,
+       .tags_at_least = {{"bounded", 0.3}, {"bounded with crossfades", 0.05}}},
+      check_any_lengths);
+}
+
+// --- Blends of rotations, in long double ---
+
+using Turns = std::vector<Eigen::Quaterniond>;
+
+// Joints below a base, with these turns and places, that move the three vertices of a triangle, all of them at v.
+Model joints_below_a_base(const Turns& turns, const std::vector<Point3>& places,
+                          const std::vector<std::pair<int, double>>& weights, const Point3& v) {
+  std::vector<SceneNode> nodes = {{"base", -1, Eigen::Matrix4d::Identity()}};
+  for (std::size_t j = 0; j < turns.size(); ++j) {
+    nodes.push_back({"joint " + std::to_string(j), 0, Eigen::Matrix4d::Identity()});
+    nodes.back().local.topLeftCorner<3, 3>() = turns[j].toRotationMatrix();
+    nodes.back().local.topRightCorner<3, 1>() = places[j];
+  }
+  Model model = gen::model_of_nodes("below a base", nodes);
+  model.vertices.assign(3, v), model.triangles = {{0, 1, 2}};
+  std::vector<Influence> influences;
+  for (const auto& [joint, weight] : weights) influences.push_back({joint + 1, weight});
+  model.influences.assign(3, influences);
+  validate(model);
+  return model;
+}
+
+// A node that is at a place and turns from one rotation to the other in a second.
+NodeTrack turning(int node, const Point3& place, const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+  return {node, {{{0, place}}}, {{{0, from}, {1, to}}}, {{{0, Eigen::Vector3d::Ones()}}}};
+}
+
+// What dual quaternions make of v: with the images x_j by the joints and q = sum w_j q_j, the imaginary part of sum w_j x_j q_j q* over
+// the square of the length of q.
+Point3 blended_exactly(const Turns& turns, const std::vector<Point3>& places, const std::vector<double>& weights,
+                       const Point3& v) {
+  using Exact = Eigen::Quaternion<long double>;
+  Eigen::Matrix<long double, 4, 1> blend = Eigen::Matrix<long double, 4, 1>::Zero(), carried = blend;
+  for (std::size_t j = 0; j < turns.size(); ++j) {
+    const Exact q = turns[j].cast<long double>().normalized();
+    const Eigen::Matrix<long double, 3, 1> x = q * v.cast<long double>() + places[j].cast<long double>();
+    blend += weights[j] * q.coeffs();
+    carried += weights[j] * (Exact(0, x[0], x[1], x[2]) * q).coeffs();
+  }
+  return ((Exact(carried) * Exact(blend).conjugate()).vec() / blend.squaredNorm()).cast<double>();
+}
+
+// Weights of a base joint and of others that share the rest nearly equally: those of even and of odd joints are rounded the other way.
+std::vector<double> weights_between_multiples(int joints, double first, double odd, double even) {
+  std::vector<double> weights(static_cast<std::size_t>(joints));
+  double left = 1;
+  for (int j = 1; j < joints; ++j) {
+    weights[static_cast<std::size_t>(j)] =
+        std::ldexp(std::floor(std::ldexp((1 - first) / (joints - 1), weight_bits)) + (j % 2 == 1 ? odd : even), -weight_bits);
+    left -= weights[static_cast<std::size_t>(j)];
+  }
+  weights[0] = left;
+  return weights;
+}
+
+// One joint, and others that are turned against it by nearly half a turn, to either side.
+Turns turned_to_either_side(const Eigen::Quaterniond& base, int joints, double cosine) {
+  Turns out = {base};
+  const double sine = std::sqrt(1 - cosine * cosine);
+  for (int j = 1; j < joints; ++j) out.push_back(base * Eigen::Quaterniond(cosine, 0, 0, j % 2 == 1 ? sine : -sine));
+  return out;
+}
+
+void check_unrounded_weights() {
+  const int joints = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(2, 18));
+  const double first = *rc::gen::element(0.11, 0.12, 0.15, 0.3, 0.8);
+  const double renderer_rounding = *rc::gen::element(0.0, ModelBoundsOptions{}.renderer_rounding);
+  const unsigned seed = drawn_seed();
+  RC_LOG() << joints << " joints, the first with " << first << ", renderer " << renderer_rounding << ", seed " << seed;
+  RC_CLASSIFY(joints == 2 || first > 0.5, "degenerate");
+  Numbers random(seed);
+  const bool is_worst = random.below(4) != 0;
+  const std::vector<double> weights =
+      weights_between_multiples(joints, first, is_worst ? 0.495 : random.between(0, 1), is_worst ? 0.505 : random.between(0, 1));
+  std::vector<std::pair<int, double>> listed;
+  for (int j = 0; j < joints; ++j) listed.emplace_back(j, weights[static_cast<std::size_t>(j)]);
+  const auto rounded = quantize_weights(listed);
+  RC_ASSERT(static_cast<int>(rounded.size()) == joints);
+  const Point3 v = random.vector();
+  const double spread = random.below(2) == 0 ? 0 : random.between(0, 1);
+  std::vector<Point3> places;
+  for (int j = 0; j < joints; ++j) places.emplace_back(spread * random.vector());
+  // In the rest pose and in two clips whose joints are still.
+  std::vector<Turns> turns;
+  for (int moment = 0; moment < 3; ++moment)
+    turns.push_back(turned_to_either_side(random.turn(), joints, std::pow(10.0, random.between(-4, -1))));
+  Model model = joints_below_a_base(turns[0], places, rounded, v);
+  for (const std::size_t clip : {1u, 2u}) {
+    Animation still{"still", 1, {}};
+    for (std::size_t j = 0; j < places.size(); ++j)
+      still.tracks.push_back(turning(static_cast<int>(j) + 1, places[j], turns[clip][j], turns[clip][j]));
+    model.clips.push_back({"still", 1, {}, still});
+  }
+  const ModelBounds made =
+      bound_model(model, {.skinning = Skinning::dual_quaternion, .cluster_triangles = 0, .renderer_rounding = renderer_rounding});
+  std::vector<double> of_model;
+  for (const auto& [joint, weight] : rounded) of_model.push_back(weight);
+  double farthest = 0, off = 0;
+  for (std::size_t moment = 0; moment < turns.size(); ++moment) {
+    const Point3 exact = blended_exactly(turns[moment], places, weights, v);
+    RC_ASSERT(holds(moment == 0 ? made.rest[0] : made.clips[moment - 1].parts[0], {exact}));
+    for (std::size_t j = 0; j < places.size(); ++j) farthest = std::max(farthest, (turns[moment][j] * v + places[j]).norm());
+    off = std::max(off, (exact - blended_exactly(turns[moment], places, of_model, v)).norm());
+  }
+  if (off > (joints * 0x1p-24 + renderer_rounding) * farthest) RC_TAG("the blend enlarges what rounding takes");
+}
+
+// A half turn, but for this cosine of the quaternions.
+Eigen::Quaterniond nearly_half_a_turn(const Point3& axis, double cosine) {
+  const Point3 sine = std::sqrt(1 - cosine * cosine) * axis.normalized();
+  return Eigen::Quaterniond(cosine, sine[0], sine[1], sine[2]);
+}
+
+// Two joints below a base, of which the second one is half a turn from the first one, or nearly so, at the end of the clip: always, while
+// the base turns, or after it came there.
+void check_both_signs() {
+  const int power = *rc::gen::inRange(3, 13), sign = *rc::gen::element(-1, 0, 1, 1), kind = *rc::gen::inRange(0, 3);
+  const double cosine = sign * std::pow(10.0, -power), first = *rc::gen::element(0.5, 0.25, 0.625, 0.9375);
+  const Skinning skinning = *rc::gen::element(Skinning::dual_quaternion, Skinning::spherical);
+  const double renderer_rounding = *rc::gen::element(0.0, ModelBoundsOptions{}.renderer_rounding);
+  const unsigned seed = drawn_seed();
+  RC_LOG() << "cosine " << cosine << ", weight " << first << ", skinning " << static_cast<int>(skinning) << ", kind " << kind
+           << ", renderer " << renderer_rounding << ", seed " << seed;
+  RC_CLASSIFY(sign == 0, "degenerate");
+  Numbers random(seed);
+  const Eigen::Quaterniond still = random.turn(), base = random.turn();
+  const Point3 axis = random.vector(), v = random.vector();
+  const Turns turns = {still, still * nearly_half_a_turn(axis, cosine)};
+  // About one point, spherical blending is the same as that of dual quaternions.
+  std::vector<Point3> places(2, Point3::Zero());
+  if (skinning == Skinning::dual_quaternion) places = {random.vector(), random.vector()};
+  Model model = joints_below_a_base(turns, places, {{0, first}, {1, 1 - first}}, v);
+  Animation animation{"clip", 1, {}};
+  for (const int j : {0, 1}) {
+    const auto at = static_cast<std::size_t>(j);
+    const bool arrives = j == 1 && kind == 2;
+    animation.tracks.push_back(
+        turning(j + 1, places[at], arrives ? still * nearly_half_a_turn(axis, 0.3) : turns[at], turns[at]));
+  }
+  if (kind == 1) animation.tracks.push_back(turning(0, Point3::Zero(), Eigen::Quaterniond::Identity(), base));
+  model.clips.push_back({"clip", 1, {}, animation});
+  const ModelBounds made =
+      bound_model(model, {.skinning = skinning, .cluster_triangles = 0, .renderer_rounding = renderer_rounding});
+  const bool either = std::abs(cosine) <= rounding_of_cosine_in_float;
+  if (either) RC_TAG("either sign");
+  for (const int chosen : {-1, 1}) {
+    if (!either && chosen * cosine < 0) continue;
+    const Turns signed_turns = {turns[0], Eigen::Quaterniond(Eigen::Vector4d(chosen * turns[1].coeffs()))};
+    const Point3 image = blended_exactly(signed_turns, places, {first, 1 - first}, v);
+    RC_ASSERT(holds(made.rest[0], {image}));
+    RC_ASSERT(holds(made.clips[0].parts[0], {kind == 1 ? Point3(base * image) : image}));
+  }
+}
+
+void blends_of_rotations(Suite& t) {
+  t.holds(
+      "dual quaternions with the weights of the file, which are not rounded, put no vertex outside, however short their blend is",
+      {.number_type = "long double",
+       .cases = 300,
+       .degenerate_at_most = 0.6,
+       .tags_at_least = {{"the blend enlarges what rounding takes", 0.1}}},
+      check_unrounded_weights);
+  t.holds(
+      "where two joints are half a turn apart, to within what a renderer in float rounds, the vertex is inside with either sign",
+      {.number_type = "long double", .cases = 120, .degenerate_at_most = 0.6, .tags_at_least = {{"either sign", 0.3}}},
+      check_both_signs);
 }
 
 }  // namespace
@@ -368,7 +704,10 @@ PROPTEST(model_bounds) {
   clusters_and_moments(t);
   volumes_around_what_is_sampled(t);
   crossfades(t);
-  parts_of_crossfades_and_what_is_refused(t);
+  parts_of_crossfades_and_rounded_weights(t);
+  what_is_refused(t);
+  any_lengths(t);
+  blends_of_rotations(t);
   t.example("progress goes up to the whole", {}, [] {
     std::vector<double> told;
     bound_model(

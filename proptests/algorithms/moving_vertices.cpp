@@ -6,6 +6,7 @@
 #include <random>
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
+#include "algorithms/bake/over_time/half_turns.hpp"
 #include "proptests/gen/animated_model.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
@@ -179,6 +180,48 @@ void errors_of_rounding(Suite& t) {
       });
 }
 
+void what_renderers_and_weights_are_off_by(Suite& t) {
+  t.example("dual quaternions are not followed where a renderer in float may see the other sign of their dot product", {}, [] {
+    long tried = 0;
+    for (const double cosine : {1e-12, 1e-9, 1e-7, 1e-6, 3e-6, 5e-6, 1e-5, 1e-3}) {
+      const Model model = turning(2 * std::acos(cosine) * 180 / 3.141592653589793);
+      const JointSets sets(model);
+      const AnimatedJoints joints(model, model.clips[0].animation, true);
+      const MovingVertices dual(model, sets, Skinning::dual_quaternion, {0});
+      // The cell is so short that the dot product does not change by 10^-8.
+      const JointCell cell = joints.cell(3, 1 - 1e-9, 1);
+      const bool is_followed = dual.slack(cell, Finite::may_be).chord < std::numeric_limits<double>::infinity();
+      const CellSlack must = dual.slack(cell, Finite::must_be);
+      if (is_followed != (cosine > rounding_of_cosine_in_float) || (must.followed == Followed::skinned) != is_followed ||
+          !(is_followed || must.beyond[0] >= 1))
+        return Checked(false, tried, "a dot product of " + std::to_string(cosine * 1e6) + "e-6");
+      ++tried;
+    }
+    return Checked(true, tried);
+  });
+  t.example(
+      "errors of weights grow with the inverse square of the length of a blend, to a hundredfold; not for one joint", {}, [] {
+        const auto growth = [](double angle, int turned_joints, Skinning skinning) {
+          const Model model = turning(angle, turned_joints);
+          const JointSets sets(model);
+          const AnimatedJoints joints(model, model.clips[0].animation, true);
+          const MovingVertices moving(model, sets, skinning, {0});
+          const JointCell cell = joints.cell(3, 1 - 1e-9, 1);
+          return std::pair{moving.error_per_weight(cell), moving.error_per_rounding(cell)};
+        };
+        // Two joints at halves, a right angle apart: the blend's squared length is (1 + cos 45 degrees) / 2.
+        const double squared = (1 + std::sqrt(0.5)) / 2, right = 1 / std::sqrt(squared) + 1 / squared;
+        const auto at_right = growth(90, 1, Skinning::dual_quaternion), linear = growth(90, 1, Skinning::linear),
+                   still = growth(0, 1, Skinning::dual_quaternion), short_one = growth(176, 2, Skinning::dual_quaternion);
+        const bool good = std::abs(at_right.first / right - 1) < 1e-6 && std::abs(at_right.second / (right / 2) - 1) < 1e-6 &&
+                          std::abs(linear.first - 1) < 1e-6 && std::abs(linear.second - 1) < 1e-6 &&
+                          std::abs(still.first - 2) < 1e-6 && std::abs(still.second - 1) < 1e-6 && short_one.first > 100 &&
+                          short_one.first < 111;
+        return Checked(
+            good, 4, std::to_string(at_right.first) + " " + std::to_string(still.first) + " " + std::to_string(short_one.first));
+      });
+}
+
 void what_is_not_followed_or_costs_nothing(Suite& t) {
   t.example("there are no bounds of Hejl's centers", {}, [] {
     const Model model = turning(60);
@@ -315,6 +358,7 @@ PROPTEST(moving_vertices) {
             }
           });
   errors_of_rounding(t);
+  what_renderers_and_weights_are_off_by(t);
   what_is_not_followed_or_costs_nothing(t);
 }
 
