@@ -523,7 +523,7 @@ void any_lengths(Suite& t) {
       "whatever the unit of lengths is, clusters have each triangle once, and bounds are finite and hold what is sampled, or the "
       "model is refused because it is beyond the range of float",
       {.number_type = "double",
-       .cases = 80,
+       .cases = 40,
        .degenerate_at_least = 0.3,
        .degenerate_at_most = 0.9,
        .tags_at_least = {{"bounded", 0.3}, {"bounded with crossfades", 0.05}}},
