@@ -5,6 +5,8 @@
 #include <random>
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
+#include "algorithms/bake/over_time/any_pose.hpp"
+#include "algorithms/runtime/balls/round_up.hpp"
 #include "proptests/gen/animated_model.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
@@ -204,21 +206,23 @@ void never_missed(const gen::AnimatedPlan& plan, Skinning skinning) {
   RC_CLASSIFY(2 * undecided > static_cast<int>(moments.size()), "most moments undecided");
 }
 
-// One vertex at a distance of 1 from its joint, which turns from 45 degrees below the x axis to 45 degrees above.
-Model swinging() {
+// One vertex at this distance from its joint, which turns from 45 degrees below the x axis to 45 degrees above.
+Model swinging(double unit = 1, double duration = 1) {
   Model model;
   model.name = model.skeleton.file = "swinging";
   model.skeleton.nodes = {{"node", -1, Eigen::Matrix4d::Identity()}};
   model.skeleton.joints = {{"joint", 0, -1, Eigen::Matrix4d::Identity()}};
   model.joints = {{"joint", -1, Point3::Zero()}};
-  model.vertices = {{1, 0, 0}}, model.triangles = {{0, 0, 0}}, model.influences = {{{0, 1}}};
+  model.vertices = {{unit, 0, 0}}, model.triangles = {{0, 0, 0}}, model.influences = {{{0, 1}}};
   const auto turned = [](double angle) { return Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ())); };
   const double eighth = 0.7853981633974483;
-  const Animation animation{
-      "clip",
-      1,
-      {{0, {{{0, Eigen::Vector3d::Zero()}}}, {{{0, turned(-eighth)}, {1, turned(eighth)}}}, {{{0, Eigen::Vector3d::Ones()}}}}}};
-  model.clips.push_back({"clip", 1, {}, animation});
+  const Animation animation{"clip",
+                            duration,
+                            {{0,
+                              {{{0, Eigen::Vector3d::Zero()}}},
+                              {{{0, turned(-eighth)}, {duration, turned(eighth)}}},
+                              {{{0, Eigen::Vector3d::Ones()}}}}}};
+  model.clips.push_back({"clip", duration, {}, animation});
   return model;
 }
 
@@ -376,6 +380,120 @@ void what_is_reached_between_keys_and_at_jumps(Suite& t) {
   });
 }
 
+// A vertex at its joint, which goes from the origin along a cubic spline to this x and back.
+Model there_and_back(double x, double duration) {
+  Model model = swinging(0, duration);
+  NodeTrack& track = model.clips[0].animation.tracks[0];
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero(), out = x * 4 / duration * Eigen::Vector3d::UnitX();
+  track.positions = {{{0, none}, {duration, none}}, Interpolation::cubic, {{none, out}, {Eigen::Vector3d(-out), none}}};
+  track.rotations = {{{0, Eigen::Quaterniond::Identity()}}};
+  return model;
+}
+
+// A power of ten, of a number that is drawn from these.
+double drawn_power(double low, double high) {
+  const double share = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1000001)) / 1e6;
+  return std::pow(10.0, low + share * (high - low));
+}
+
+// In the middle of a clip, a vertex is farther along x than it is at the keys. Lengths and durations are such that squares of lengths, speeds
+// or accelerations underflow or overflow.
+void check_extremes_between_keys() {
+  const bool turns = *rc::gen::arbitrary<bool>(), is_tiny = *rc::gen::arbitrary<bool>();
+  const double unit = is_tiny ? drawn_power(-310, -140) : drawn_power(-140, 30);
+  const double duration = *rc::gen::arbitrary<bool>() ? drawn_power(-4, 6) : drawn_power(-300, 150);
+  // Tangents beyond the range of double are no input.
+  if (!turns && !std::isfinite(unit * 4 / duration)) return;
+  // No file has durations whose squares underflow, or for which accelerations do: its times are floats.
+  const double acceleration = unit / duration / duration;
+  if (duration < 1e-150 ? std::isfinite(acceleration) : duration > 1e60 && acceleration < 1e-300) return;
+  RC_TAG("bounded");
+  RC_LOG() << (turns ? "turns" : "moves") << ", length " << unit << ", duration " << duration;
+  RC_CLASSIFY(is_tiny, "degenerate");
+  RC_CLASSIFY(turns, "turns");
+  RC_CLASSIFY(std::abs(std::log10(unit / duration)) > 160, "the speed's square is out of range");
+  const Model model = turns ? swinging(unit, duration) : there_and_back(unit, duration);
+  const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::dual_quaternion, Skinning::spherical);
+  const double along = *rc::gen::element(1.0, 1.0, 2e-100, 5e99);
+  Scene scene(model, skinning, {along * Point3::UnitX(), Point3::UnitY(), Point3::UnitZ()});
+  const BoundOverTime bound = scene.bound(*rc::gen::element(0.01, 0.3, 1e6));
+  // A number that underflows is off by the least one.
+  RC_ASSERT(bound.slabs[0].high >= along * (unit * (1 - 1e-9)) - 0x1p-1074);
+  RC_ASSERT(bound.slabs[0].high <= along * (3 * unit + 4 * underflow_of_distance<double>()) + 0x1p-1070);
+  RC_ASSERT(bound.ball.radius <= 3 * unit + 4 * underflow_of_distance<double>());
+  for (const double share : {0.0, 0.25, 0.5, 0.7, 1.0})
+    RC_ASSERT(scene.holds(bound, share * duration, Side::after) != Verdict::fails);
+  RC_ASSERT(scene.holds(bound, 0.5 * duration, Side::after) == Verdict::holds);
+}
+
+void lengths_and_durations_out_of_the_range_of_squares(Suite& t) {
+  t.holds("what is reached strictly between the keys is bounded, whatever the lengths from 1e-310 and the durations to 1e150",
+          {.number_type = "double",
+           .cases = 400,
+           .degenerate_at_least = 0.2,
+           .degenerate_at_most = 0.8,
+           .tags_at_least = {{"bounded", 0.4}, {"turns", 0.3}, {"the speed's square is out of range", 0.1}}},
+          check_extremes_between_keys);
+  t.example("the ball for any pose holds vertices whose squared distances underflow, and is hardly larger than they need", {},
+            [] {
+              long tried = 0;
+              for (int exponent = -1074; exponent <= 100; exponent += 7)
+                for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion, Skinning::spherical}) {
+                  const double unit = std::ldexp(1.0, exponent);
+                  Model model = swinging(unit);
+                  model.vertices.insert(model.vertices.end(), {{0, unit, 0}, {0, 0, -unit}});
+                  model.influences.assign(3, {{0, 1}}), model.triangles = {{0, 1, 2}};
+                  const JointSets sets(model);
+                  const int vertices[] = {0, 1, 2};
+                  const auto bound = bound_any_pose(model, sets, vertices, skinning);
+                  if (!bound || !(bound->radius >= unit) || bound->radius > 1.01 * unit + 4 * underflow_of_distance<double>())
+                    return Checked(false, tried, "2^" + std::to_string(exponent));
+                  ++tried;
+                }
+              return Checked(true, tried);
+            });
+}
+
+// The message of what bound_over_time refuses; empty if it bounds.
+std::string refusal_of(double tolerance, const std::vector<Point3>& directions) {
+  const Model model = swinging();
+  try {
+    Scene(model, Skinning::linear, directions).bound(tolerance);
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "";
+}
+
+void what_is_refused(Suite& t) {
+  t.example("a tolerance that is not positive is refused", {}, [] {
+    bool good = true;
+    for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+      good = good && refusal_of(tolerance, {Point3::UnitX()}) == "bound_over_time: the tolerance is not positive";
+    return Checked(good && refusal_of(5e-324, {Point3::UnitX()}).empty(), 4);
+  });
+  t.example(
+      "no direction is refused, and so is each that is shorter than 1e-100 or longer than 1e100, wherever it is in the list", {},
+      [] {
+        const std::string words = "bound_over_time: there is no direction, or one whose length is not from 1e-100 to 1e100";
+        std::string wrong = refusal_of(0.1, {}) == words ? "" : "no direction; ";
+        long tried = 1;
+        const double infinity = std::numeric_limits<double>::infinity();
+        for (const double length : {0.0, 5e-324, 1e-300, 1e-170, 0.999e-100, 1.001e100, 1e170, 1e300, infinity, std::nan("")})
+          for (const std::size_t at : {0, 1, 2}) {
+            std::vector<Point3> directions = {Point3::UnitX(), Point3::UnitY(), Point3::UnitZ()};
+            directions[at] = Point3::Zero(), directions[at][2 - at] = length;
+            if (refusal_of(0.1, directions) != words) wrong += std::to_string(length) + "; ";
+            ++tried;
+          }
+        for (const double length : {1.001e-100, 1e-50, 1.0, 1e50, 0.999e100}) {
+          if (!refusal_of(0.1, {{0, 0.6 * length, -0.8 * length}}).empty()) wrong += std::to_string(length) + " is refused; ";
+          ++tried;
+        }
+        return Checked(wrong.empty(), tried, wrong);
+      });
+}
+
 void rounding_outward_and_axes_of_slabs(Suite& t) {
   t.holds("what is rounded outward encloses what was rounded, and hardly more",
           {.number_type = "double", .degenerate_at_least = 0.1, .degenerate_at_most = 0.95}, [] {
@@ -414,18 +532,9 @@ PROPTEST(bound_over_time) {
            .degenerate_at_most = 0.9,
            .tags_at_least = {{"the second clip goes farther", 0.3}}},
           check_two_clips_together);
-  t.example("a tolerance that is not positive is refused", {}, [] {
-    const Model model = swinging();
-    bool good = true;
-    for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) try {
-        Scene(model, Skinning::linear, {Point3::UnitX()}).bound(tolerance);
-        good = false;
-      } catch (const std::invalid_argument& e) {
-        good = good && std::string(e.what()) == "bound_over_time: the tolerance is not positive";
-      }
-    return Checked(good, 3);
-  });
   what_is_reached_between_keys_and_at_jumps(t);
+  lengths_and_durations_out_of_the_range_of_squares(t);
+  what_is_refused(t);
   rounding_outward_and_axes_of_slabs(t);
 }
 

@@ -215,6 +215,48 @@ std::vector<Fault> faults() {
   };
 }
 
+// A mesh with most of its vertices on a face of the cube in which coordinates are accepted, some on an edge or at a corner of it.
+SkinnedMesh on_faces_of_the_cube(std::mt19937& random) {
+  constexpr double end = 1e40;
+  std::uniform_real_distribution<double> anywhere(-end, end);
+  const auto axis = random() % 3;
+  const double side = random() % 2 ? end : -end;
+  SkinnedMesh m;
+  m.name = "on the cube";
+  m.joints = {{"a", -1, {0, 0, 0}}, {"b", 0, {side, 0, 0}}};
+  const auto count = 4 + static_cast<int>(random() % 8);
+  for (int v = 0; v < count; ++v) {
+    Point3 p(anywhere(random), anywhere(random), anywhere(random));
+    if (v > 0 || random() % 2) p[static_cast<int>(axis)] = side;
+    if (random() % 4 == 0) p[static_cast<int>((axis + 1) % 3)] = random() % 2 ? end : -end;
+    m.vertices.push_back(p);
+    if (random() % 2) m.influences.push_back({{0, 1.0}});
+    else m.influences.push_back({{0, 0.75}, {1, 0.25}});
+  }
+  for (int v = 0; v + 2 < count; ++v) m.triangles.push_back({v, v + 1, v + 2});
+  if (random() % 2) {
+    m.targets = {1, {}};
+    for (int v = 0; v < count; ++v) m.targets.of_vertex.push_back({{0, Point3(side, anywhere(random), -end)}});
+  }
+  validate(m);
+  return m;
+}
+
+void characters_at_the_end_of_what_is_accepted(Suite& t) {
+  t.holds("a character with vertices on the faces of the cube of what is accepted is read as it was written",
+          {.number_type = "double", .cases = 1000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.8}, [] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            const Character c = bake(on_faces_of_the_cube(random), {.triangles_per_leaf = *rc::gen::inRange(1, 10)});
+            RC_CLASSIFY(c.mesh.targets.count > 0, "degenerate");
+            const double farthest = c.tree.nodes[0].reference.center.cwiseAbs().maxCoeff();
+            RC_CLASSIFY(farthest > 1e40, "the root's center is beyond the face by rounding");
+            const std::string bytes = bytes_of(c), refused = refusal(bytes);
+            RC_LOG() << refused;
+            RC_ASSERT(refused.empty());
+            RC_ASSERT(bytes_of(character_of(bytes, "any")) == bytes);
+          });
+}
+
 void spoiled_files_are_refused(Suite& t) {
   t.example("a file that ends at any byte is refused, and so is one with a byte more", {}, [] {
     const std::string bytes = bytes_of(small_character());
@@ -299,6 +341,7 @@ PROPTEST(character_file) {
                 RC_ASSERT(written[n].center == again[n].center && written[n].radius == again[n].radius);
             }
           });
+  characters_at_the_end_of_what_is_accepted(t);
   spoiled_files_are_refused(t);
   t.example("a character baked without the pieces of a refit says so", {}, [] {
     const Character c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}), {}, {});

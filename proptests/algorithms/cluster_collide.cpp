@@ -173,6 +173,97 @@ void pairs_are_those_of_testing_all(Suite& t) {
           });
 }
 
+// A plan of a mesh of few triangles, where all pairs of them are hard to decide.
+gen::MeshPlan small_plan() {
+  gen::MeshPlan plan = *gen::mesh_plan();
+  plan.rings = std::min(plan.rings, 4), plan.sides = std::min(plan.sides, 4);
+  return plan;
+}
+
+// One memory for the pairs of three bodies, of two trees, in either order and in frames drawn anew, as no caller should use it: what it
+// remembers is of other bodies, and no pair is lost or found for it.
+void check_memory_of_other_bodies() {
+  const gen::MeshPlan plan_a = small_plan(), plan_b = small_plan();
+  RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
+  const Character a = bake(gen::make_mesh(plan_a)), b = bake(gen::make_mesh(plan_b));
+  const ClusterTree tree_a(a, drawn_options()), tree_b(b, drawn_options());
+  const Skinning skinning = drawn_skinning();
+  ClusterBody one(tree_a, skinning), two(tree_a, skinning), three(tree_b, skinning);
+  ClusterBody* const bodies[] = {&one, &two, &three};
+  const Character* const characters[] = {&a, &a, &b};
+  PairMemory memory;
+  std::mt19937 random(plan_a.seed);
+  std::normal_distribution<double> normal;
+  for (int frame = 0; frame < 4; ++frame) {
+    Pose poses[3];
+    RigidTransform<double> places[3];
+    const double apart = frame == 2 ? 4 : 0.4;
+    for (int i = 0; i < 3; ++i) {
+      poses[i] = gen::random_pose(characters[i]->mesh, random);
+      places[i] = {gen::random_rotation(random, 1), Point3(normal(random), normal(random), 0) * apart};
+      bodies[i]->begin(poses[i], places[i]);
+    }
+    for (int query = 0; query < 8; ++query) {
+      const int i = static_cast<int>(random() % 3), k = static_cast<int>((i + 1 + random() % 2) % 3);
+      const auto expected =
+          oracle::all_pairs({*characters[i], poses[i], places[i]}, {*characters[k], poses[k], places[k]}, skinning);
+      QueryCounts counts;
+      RC_ASSERT(sorted(collide(*bodies[i], *bodies[k], Query::full, counts, &memory)) == expected);
+      const auto any = collide(*bodies[i], *bodies[k], Query::yes_no, counts, random() % 2 ? &memory : nullptr);
+      RC_ASSERT(any.size() == (expected.empty() ? 0u : 1u));
+      if (!any.empty()) RC_ASSERT(std::binary_search(expected.begin(), expected.end(), any[0]));
+      RC_TAG(expected.empty() ? "apart" : "in contact");
+      if (memory.are_entangled()) RC_TAG("entangled");
+    }
+  }
+}
+
+// Placements so far away that sums and differences of their coordinates overflow.
+void check_placements_at_the_end_of_double() {
+  const gen::MeshPlan plan = small_plan();
+  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  const Character c = bake(gen::make_mesh(plan));
+  const ClusterTree tree(c, drawn_options());
+  const Skinning skinning = drawn_skinning();
+  ClusterBody first(tree, skinning), second(tree, skinning);
+  std::mt19937 random(plan.seed);
+  const Pose pose = gen::random_pose(c.mesh, random);
+  constexpr double largest = std::numeric_limits<double>::max();
+  const double lengths[] = {largest, std::nextafter(largest, 0), 1.797e308, 0x1p1023, 1e308, 1e300, 0.3};
+  const auto drawn = [&] {
+    RigidTransform<double> out{gen::random_rotation(random, 1), {}};
+    for (int i = 0; i < 3; ++i) out.translation[i] = lengths[random() % std::size(lengths)] * (random() % 4 ? 1 : -1);
+    return out;
+  };
+  PairMemory memory;
+  for (int i = 0; i < 4; ++i) {
+    const RigidTransform<double> at_a = drawn();
+    RigidTransform<double> at_b = drawn();
+    if (i < 3) at_b.translation = at_a.translation;
+    if (i == 2) at_b.translation[0] = std::nextafter(at_b.translation[0], 0);
+    first.begin(pose, at_a), second.begin(pose, at_b);
+    const auto expected = oracle::all_pairs({c, pose, at_a}, {c, pose, at_b}, skinning);
+    QueryCounts counts;
+    RC_ASSERT(sorted(collide(first, second, Query::full, counts)) == expected);
+    RC_ASSERT(sorted(collide(first, second, Query::full, counts, &memory)) == expected);
+    RC_ASSERT(collide(first, second, Query::yes_no, counts, &memory).empty() == expected.empty());
+    RC_TAG(expected.empty() ? "apart" : "in contact");
+  }
+}
+
+void memories_of_others_and_places_far_away(Suite& t) {
+  t.holds("a memory that pairs of other bodies, in either order, and of another tree have used loses no pair and adds none",
+          {.number_type = "double",
+           .cases = 50,
+           .degenerate_at_least = 0.3,
+           .tags_at_least = {{"in contact", 0.3}, {"apart", 0.1}, {"entangled", 0.05}}},
+          check_memory_of_other_bodies);
+  t.holds(
+      "pairs of bodies at the end of what doubles are, where differences of places overflow, are those of testing all",
+      {.number_type = "double", .cases = 25, .degenerate_at_least = 0.3, .tags_at_least = {{"in contact", 0.3}, {"apart", 0.3}}},
+      check_placements_at_the_end_of_double);
+}
+
 void a_needle_touches_where_a_bound_is_attained(Suite& t) {
   t.holds(
       "a needle that touches a body in one vertex, where a bound is attained, touches it: of 1 to 90 joints, at every "
@@ -638,6 +729,7 @@ void what_is_refused(Suite& t) {
 
 PROPTEST(cluster_collide) {
   pairs_are_those_of_testing_all(t);
+  memories_of_others_and_places_far_away(t);
   a_needle_touches_where_a_bound_is_attained(t);
   leaves_that_are_too_large(t);
   clusters_and_wide_nodes(t);

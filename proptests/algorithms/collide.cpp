@@ -10,6 +10,7 @@
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
+#include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -207,6 +208,127 @@ void balls_that_are_apart_cost_one_test(Suite& t) {
       });
 }
 
+// A plan of a mesh of few triangles, where all pairs of them are hard to decide.
+gen::MeshPlan small_plan() {
+  gen::MeshPlan plan = *gen::mesh_plan();
+  plan.rings = std::min(plan.rings, 3), plan.sides = std::min(plan.sides, 4);
+  return plan;
+}
+
+// Begins a frame that is refused, in one of the ways in which a frame may be: by its pose or by its deformation.
+template <class Random>
+std::string refused_frame(Body& body, Random& random) {
+  const SkinnedMesh& mesh = body.character().mesh;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Pose pose = random_pose(mesh, random, 2), lost = pose, short_one = pose;
+  lost.back().translation[1] = nan, short_one.pop_back();
+  AffinePose affine = gen::random_affine_pose(mesh, gen::JointKind::axes, random), lost_affine = affine, wide = affine;
+  lost_affine.back().columns[2][0] = nan, wide.back().columns[0] = Point3(2e4, 0, 0);
+  const std::vector<double> weights = gen::random_weights(mesh, random);
+  std::vector<double> more = weights, huge = weights, undefined_ones = weights;
+  more.push_back(0.5);
+  if (weights.empty()) huge = undefined_ones = more;
+  else huge[0] = 2e4, undefined_ones.back() = nan;
+  const auto way = random() % 11;
+  try {
+    switch (way) {
+      case 0: body.begin(lost); break;
+      case 1: body.begin(short_one); break;
+      case 2: body.begin(lost, {weights, affine}); break;
+      case 3: body.begin(pose, {more, {}}); break;
+      case 4: body.begin(pose, {huge, affine}); break;
+      case 5: body.begin(pose, {undefined_ones, {}}); break;
+      case 6: body.begin(pose, {weights, lost_affine}); break;
+      case 7: body.begin(pose, {weights, wide}); break;
+      case 8: body.begin(lost_affine, weights); break;
+      case 9: body.begin(wide, weights); break;
+      default: body.begin(affine, more);
+    }
+  } catch (const ModelError& e) {
+    return e.what();
+  }
+  RC_LOG() << "way " << way << " is not refused";
+  return "";
+}
+
+// A body in frames that are refused in between, against one that never saw them.
+void check_frames_after_refused_ones() {
+  const auto plan = *gen::mesh_plan();
+  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  std::mt19937 random(plan.seed);
+  SkinnedMesh mesh = gen::make_mesh(plan);
+  gen::add_targets(mesh, random);
+  RC_CLASSIFY(mesh.targets.count > 0, "morphed");
+  const Character c = bake(std::move(mesh), {.triangles_per_leaf = *rc::gen::element(1, 3)});
+  const RefitVariant& variant = drawn_variant();
+  Body body(c, variant), other(c, variant);
+  for (int frame = 0; frame < 4; ++frame) {
+    const Pose pose = random_pose(c.mesh, random);
+    const AffinePose affine = gen::random_affine_pose(c.mesh, gen::JointKind::shear, random);
+    const std::vector<double> weights = gen::random_weights(c.mesh, random);
+    for (Body* of : {&body, &other})
+      if (frame == 0) of->begin(pose);
+      else if (frame == 1) of->begin(pose, {weights, affine});
+      else if (frame == 2) of->begin(affine, weights);
+      else of->begin(pose, {weights, {}});
+    const auto nodes = static_cast<int>(c.tree.nodes.size()), triangles = static_cast<int>(c.mesh.triangles.size());
+    // Some balls and vertices are made before the frame that is refused, and the others after it.
+    body.ball(static_cast<int>(random() % c.tree.nodes.size()));
+    body.triangle(static_cast<int>(random() % c.mesh.triangles.size()));
+    for (int i = 0; i < 3; ++i) RC_ASSERT(!refused_frame(body, random).empty());
+    for (int n = 0; n < nodes; ++n)
+      RC_ASSERT(body.ball(n).center == other.ball(n).center && body.ball(n).radius == other.ball(n).radius);
+    for (int triangle = 0; triangle < triangles; ++triangle) RC_ASSERT(body.triangle(triangle) == other.triangle(triangle));
+  }
+}
+
+// Placements so far away that sums and differences of their coordinates overflow.
+RigidTransform<double> farthest_placement(std::mt19937& random) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  RigidTransform<double> out{random_rotation(random, 1), {}};
+  const double lengths[] = {largest, std::nextafter(largest, 0), 1.797e308, 0x1p1023, 1e308, 1e300, 0.3};
+  for (int i = 0; i < 3; ++i) out.translation[i] = lengths[random() % std::size(lengths)] * (random() % 4 ? 1 : -1);
+  return out;
+}
+
+// Vertices in double are alike there, or as far apart as numbers can be.
+void check_placements_at_the_end_of_double() {
+  const gen::MeshPlan plan = small_plan();
+  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  const double unit = *rc::gen::element(1.0, 1e-300, 1e39);
+  SkinnedMesh mesh = gen::make_mesh(plan);
+  for (Point3& v : mesh.vertices) v *= unit;
+  for (Joint& joint : mesh.joints) joint.origin *= unit;
+  const Character c = bake(std::move(mesh), {.triangles_per_leaf = *rc::gen::element(1, 3)});
+  const RefitVariant& variant = drawn_variant();
+  std::mt19937 random(plan.seed);
+  Pose pose = random_pose(c.mesh, random);
+  for (auto& joint : pose) joint.translation *= unit;
+  Body first(c, variant), second(c, variant);
+  first.begin(pose), second.begin(pose);
+  for (int i = 0; i < 4; ++i) {
+    const RigidTransform<double> at_a = farthest_placement(random);
+    RigidTransform<double> at_b = farthest_placement(random);
+    if (i < 3) at_b.translation = at_a.translation;
+    if (i == 2) at_b.translation[0] = std::nextafter(at_b.translation[0], 0);
+    const auto expected = oracle::all_pairs({c, pose, at_a}, {c, pose, at_b}, variant.skinning);
+    QueryCounts counts;
+    RC_ASSERT(sorted(collide({first, at_a}, {second, at_b}, Query::full, counts)) == expected);
+    RC_ASSERT(collide({first, at_a}, {second, at_b}, Query::yes_no, counts).empty() == expected.empty());
+    RC_TAG(expected.empty() ? "apart" : "in contact");
+  }
+}
+
+void frames_that_are_refused_and_places_far_away(Suite& t) {
+  t.holds("a body goes on with the frame before if one is refused, by its pose, its weights or its scales",
+          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3, .tags_at_least = {{"morphed", 0.4}}},
+          check_frames_after_refused_ones);
+  t.holds(
+      "pairs of bodies at the end of what doubles are, where differences of places overflow, are those of testing all",
+      {.number_type = "double", .cases = 100, .degenerate_at_least = 0.3, .tags_at_least = {{"in contact", 0.3}, {"apart", 0.3}}},
+      check_placements_at_the_end_of_double);
+}
+
 }  // namespace
 
 PROPTEST(collide) {
@@ -223,6 +345,7 @@ PROPTEST(collide) {
   });
   triangles_that_touch_where_balls_do(t);
   balls_that_are_apart_cost_one_test(t);
+  frames_that_are_refused_and_places_far_away(t);
   t.example("a body that has begun no frame is refused by name, and none is copied", {}, [] {
     static_assert(!std::is_copy_constructible_v<Body> && !std::is_move_constructible_v<Body>);
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));

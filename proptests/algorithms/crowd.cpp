@@ -2,12 +2,15 @@
 #include "algorithms/runtime/collide/crowd.hpp"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <random>
 #include <stdexcept>
 
 #include "algorithms/bake/bake.hpp"
+#include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
@@ -119,10 +122,96 @@ void contacts_are_those_of_all_pairs(Suite& t) {
       });
 }
 
+// A body of a crowd, and where its vertices are in the world.
+struct Member {
+  const ClusterTree& tree;
+  ClusterBody body;
+  std::vector<Point3> points = {};
+
+  Member(const ClusterTree& of, Skinning skinning) : tree(of), body(of, skinning) {}
+};
+
+// Begins a frame of rigid joints or of affine ones, deformed or not.
+void begin(Member& member, Skinning skinning, std::mt19937& random, const RigidTransform<double>& at) {
+  const Character& c = member.tree.character();
+  const auto kind = static_cast<gen::JointKind>(random() % 5);
+  const std::vector<double> weights = random() % 2 ? gen::random_weights(c.mesh, random) : std::vector<double>();
+  const auto skinned = [&](const Pose& pose, const Deformation& deformation) {
+    return skin(c.mesh, c.sets, make_skinning_palette(c.mesh, c.sets, pose, skinning), skinning, deformation);
+  };
+  if (random() % 2) {
+    const AffinePose pose = gen::random_affine_pose(c.mesh, kind, random);
+    member.body.begin(pose, at, weights);
+    if (skinning == Skinning::linear) {
+      member.points = skin(c.mesh, c.sets, make_skinning_palette(c.mesh, c.sets, pose), skinning, {weights, {}});
+    } else {
+      const SplitPose parts = split(c.mesh, pose);
+      member.points = skinned(parts.pose, {weights, parts.scales});
+    }
+    RC_TAG("affine");
+  } else {
+    const Pose pose = gen::random_pose(c.mesh, random);
+    const Deformation deformation{weights, random() % 2 ? gen::random_scales(c.mesh, kind, random) : AffinePose()};
+    member.body.begin(pose, at, deformation);
+    member.points = skinned(pose, deformation);
+    if (!deformation.is_none()) RC_TAG("deformed");
+  }
+  for (Point3& p : member.points) p = apply(at, p);
+}
+
+// Bodies of two characters and three trees, each skinned and deformed in its own way, against all pairs of their triangles.
+void check_crowd_of_all_kinds() {
+  const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
+  RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
+  std::mt19937 random(plan_a.seed);
+  SkinnedMesh meshes[] = {gen::make_mesh(plan_a), gen::make_mesh(plan_b)};
+  for (SkinnedMesh& mesh : meshes) gen::add_targets(mesh, random);
+  const Character a = bake(meshes[0]), b = bake(meshes[1], {.triangles_per_leaf = 1});
+  const ClusterTree trees[] = {ClusterTree(a, {.most_triangles = 10, .most_children = 9}), ClusterTree(b),
+                               ClusterTree(a, {.most_triangles = 3, .most_children = 2})};
+  const int count = *rc::gen::inRange(2, 6);
+  std::vector<std::unique_ptr<Member>> owned;
+  std::vector<ClusterBody*> bodies;
+  std::vector<Skinning> skinnings;
+  for (int i = 0; i < count; ++i) {
+    skinnings.push_back(
+        std::array{Skinning::linear, Skinning::spherical, Skinning::dual_quaternion, Skinning::hejl}[random() % 4]);
+    owned.push_back(std::make_unique<Member>(trees[random() % 3], skinnings.back()));
+    bodies.push_back(&owned.back()->body);
+  }
+  std::uniform_real_distribution<double> place(-2, 2);
+  for (int frame = 0; frame < 2; ++frame) {
+    for (int i = 0; i < count; ++i)
+      begin(*owned[i], skinnings[i], random, {gen::random_rotation(random, 1), {place(random), place(random), 0}});
+    std::vector<Contact> expected;
+    for (int i = 0; i < count; ++i)
+      for (int k = i + 1; k < count; ++k)
+        if (auto pairs = oracle::all_pairs(owned[i]->tree.character().mesh.triangles, owned[i]->points,
+                                           owned[k]->tree.character().mesh.triangles, owned[k]->points);
+            !pairs.empty())
+          expected.push_back({i, k, std::move(pairs)});
+    RC_TAG(expected.empty() ? "apart" : "in contact");
+    CrowdCounts counts;
+    const auto found = collide_all(bodies, Query::full, counts, frame == 0 ? one_worker() : oracle::workers_on_threads<2>());
+    RC_ASSERT(found.size() == expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      RC_ASSERT(found[i].first == expected[i].first && found[i].second == expected[i].second);
+      RC_ASSERT(sorted(found[i].pairs) == expected[i].pairs);
+    }
+  }
+}
+
 }  // namespace
 
 PROPTEST(crowd) {
   contacts_are_those_of_all_pairs(t);
+  t.holds(
+      "contacts of bodies of different trees and skinnings, affine and deformed ones among them, are those of testing all pairs",
+      {.number_type = "double",
+       .cases = 40,
+       .degenerate_at_least = 0.3,
+       .tags_at_least = {{"in contact", 0.3}, {"affine", 0.5}, {"deformed", 0.5}}},
+      check_crowd_of_all_kinds);
   t.example("what is counted of a crowd: pairs of motion bounds that meet, and what their queries count, added to what was", {},
             [] {
               const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/runtime/balls/few_balls_ball.hpp"
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -200,28 +201,43 @@ void slacks_equal_radii_and_few_or_many_balls(Suite& t) {
   });
 }
 
+// Whether lists of balls, of which the first, the middle or the last is none, have no ball: all lists of up to 40 balls, and those on either
+// side of a switch.
+Checked lists_with_a_ball_that_is_undefined() {
+  std::mt19937_64 random(Session::get().seed());
+  std::vector<int> counts = {512, 513, 4096, 4097};
+  for (int n = 1; n <= 40; ++n) counts.push_back(n);
+  const auto is_undefined = [](const Ball3<double>& ball) {
+    return std::isnan(ball.radius) && ball.center.array().isNaN().all();
+  };
+  long tried = 0;
+  for (const int n : counts)
+    for (const int radii : {1, 3}) {
+      const Balls balls = draw(random, Shape::general, radii, n, 0);
+      for (int kind = 0; kind < 6; ++kind)
+        for (const int place : {0, n / 2, n - 1})
+          for (const double slack : {0.0, 0.05}) {
+            Balls list = balls;
+            Ball3<double>& bad = list[place];
+            if (kind < 3) bad.center[(n + place) % 3] = std::array<double, 3>{std::nan(""), INFINITY, -INFINITY}[kind];
+            else bad.radius = std::array<double, 3>{std::nan(""), INFINITY, -1}[kind - 3];
+            const auto found = few_balls_ball(list, slack);
+            ++tried;
+            if (!is_undefined(found.ball) || found.support_size != 0 || !is_undefined(few_balls_enclosing(list, slack)))
+              return Checked(false, tried,
+                             std::to_string(n) + " balls, kind " + std::to_string(kind) + " at " + std::to_string(place));
+          }
+    }
+  return Checked(true, tried);
+}
+
 }  // namespace
 
 PROPTEST(few_balls_ball) {
   the_smallest_ball_and_its_certificate(t);
   slacks_equal_radii_and_few_or_many_balls(t);
-  t.example("balls of which one is undefined have an undefined ball, whatever the number of them", {.number_type = "double"}, [] {
-    std::mt19937_64 random(Session::get().seed());
-    for (int n = 1; n < 40; ++n)
-      for (int kind = 0; kind < 5; ++kind)
-        for (const int radii : {1, 3}) {
-          auto balls = draw(random, Shape::general, radii, n, 0);
-          Ball3<double>& bad = balls[random() % n];
-          if (kind == 0) bad.center[n % 3] = std::nan("");
-          if (kind == 1) bad.center[n % 3] = INFINITY;
-          if (kind == 2) bad.radius = std::nan("");
-          if (kind == 3) bad.radius = INFINITY;
-          if (kind == 4) bad.radius = -1;
-          const auto found = few_balls_ball(balls);
-          if (!std::isnan(found.ball.radius) || !found.ball.center.array().isNaN().all() || found.support_size != 0) return false;
-        }
-    return true;
-  });
+  t.example("balls of which one is undefined have an undefined ball, whatever the number of them and wherever it is",
+            {.number_type = "double"}, [] { return lists_with_a_ball_that_is_undefined(); });
 }
 
 }  // namespace proptests::suite_few_balls_ball

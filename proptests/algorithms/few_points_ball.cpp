@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/runtime/balls/few_points_ball.hpp"
 
+#include <limits>
 #include <set>
+#include <utility>
 
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness.hpp"
@@ -161,18 +163,46 @@ void floats_and_points_beyond_the_certificate(Suite& t, const std::string& space
     }
     return true;
   });
-  t.example("points of which one is not finite have an undefined ball" + space, {.number_type = "double"}, [] {
-    std::mt19937_64 random(Session::get().seed());
-    for (int n = 1; n < 40; ++n)
-      for (const double bad : {std::nan(""), static_cast<double>(INFINITY), -static_cast<double>(INFINITY)}) {
-        auto points = gen::rounded_cloud<D>(random, Shape::general, n, 0);
-        points[random() % n][n % D] = bad;
-        const auto ball = few_points_ball(all(points));
-        if (!std::isnan(ball.squared_radius) || !ball.center.array().isNaN().all() || ball.support_size != 0 || ball.converged)
-          return false;
+}
+
+// Whether lists of 1 to 600 points, with a number that is not finite in the first, the middle or the last one, have no ball. Lists of most
+// lengths have one such point, and those on either side of a switch have all kinds at all places.
+template <class S, int D>
+Checked lists_with_a_point_that_is_not_finite() {
+  std::mt19937_64 random(Session::get().seed() + D);
+  constexpr S infinity = std::numeric_limits<S>::infinity();
+  const S kinds[] = {std::numeric_limits<S>::quiet_NaN(), infinity, -infinity};
+  const std::set<int> switches{1, 2, 3, 4, 32, 33, 512, 513};
+  long tried = 0;
+  for (int n = 1; n <= 600; ++n) {
+    std::vector<Vec<S, D>> points;
+    for (const auto& p : gen::rounded_cloud<D>(random, Shape::general, n, 0)) points.push_back(p.template cast<S>());
+    const int places[] = {0, n / 2, n - 1};
+    for (int kind = 0; kind < 3; ++kind)
+      for (int place = 0; place < 3; ++place) {
+        if (!switches.count(n) && (kind != n % 3 || place != n / 3 % 3)) continue;
+        for (int i = 0; i < D; ++i) {
+          S& number = points[places[place]][i];
+          const S before = std::exchange(number, kinds[kind]);
+          const auto ball = few_points_ball(all(points));
+          number = before;
+          ++tried;
+          if (!std::isnan(ball.squared_radius) || !ball.center.array().isNaN().all() || ball.support_size != 0 || ball.converged)
+            return Checked(false, tried, std::to_string(n) + " points, at " + std::to_string(places[place]));
+        }
       }
-    return true;
-  });
+    if (n > 32 && n % 50 != 0 && !switches.count(n)) continue;
+    if (!few_points_ball(all(points)).converged) return Checked(false, tried, "finite: " + std::to_string(n) + " points");
+  }
+  return Checked(true, tried);
+}
+
+template <int D>
+void points_that_are_not_finite(Suite& t, const std::string& space) {
+  t.example("1 to 600 points of which the first, the middle or the last is not finite have an undefined ball" + space,
+            {.number_type = "double"}, [] { return lists_with_a_point_that_is_not_finite<double, D>(); });
+  t.example("so have they in float" + space, {.number_type = "float"},
+            [] { return lists_with_a_point_that_is_not_finite<float, D>(); });
 }
 
 template <int D>
@@ -180,6 +210,7 @@ void properties(Suite& t) {
   const std::string space = " in R^" + std::to_string(D);
   smallest_balls_are_certified<D>(t, space);
   floats_and_points_beyond_the_certificate<D>(t, space);
+  points_that_are_not_finite<D>(t, space);
 }
 
 }  // namespace

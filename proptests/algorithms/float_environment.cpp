@@ -8,6 +8,12 @@
 #include <set>
 
 #include "algorithms/bake/bake.hpp"
+#include "algorithms/bake/over_time/animated_joints.hpp"
+#include "algorithms/bake/over_time/any_pose.hpp"
+#include "algorithms/bake/over_time/bound_over_time.hpp"
+#include "algorithms/bake/over_time/model_bounds.hpp"
+#include "algorithms/bake/over_time/moving_vertices.hpp"
+#include "algorithms/bake/over_time/node_motions.hpp"
 #include "algorithms/bake/weight_hull.hpp"
 #include "algorithms/certificate/documents.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
@@ -26,6 +32,7 @@
 #include "algorithms/verification/score.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/procedural/subdivide.hpp"
+#include "proptests/gen/animated_model.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/float_mode.hpp"
 #include "proptests/oracles/workers_on_threads.hpp"
@@ -57,6 +64,12 @@ class Bytes {
   void add(const std::string& text) { text_ += text; }
   void add(const TrianglePair& pair) { add(pair.first), add(pair.second); }
   void add(const RigidTransform<double>& t) { add(t.rotation), add(t.translation); }
+  void add(const Motion<double>& m) { add(m.size), add(m.speed), add(m.acceleration); }
+  void add(const ChainMotion<double>& c) { add(c.linear), add(c.offset), add(c.rotation); }
+  void add(const BoundedPart& part) {
+    add(part.box.low), add(part.box.high), add(part.ball);
+    for (const Slab<float>& slab : part.slabs) add(slab.low), add(slab.high);
+  }
   template <class T>
   void add_all(const T& list) {
     for (const auto& x : list) add(x);
@@ -268,6 +281,100 @@ std::vector<Entry> query_entries() {
   return entries;
 }
 
+// Two clips of nodes, joints and splines, some of whose coordinates are denormal; of triangles that make several clusters.
+Model animated(double unit) {
+  gen::AnimatedPlan plan;
+  plan.rigid = plan.cubic = true, plan.nodes = 5, plan.joints = 4, plan.vertices = 5, plan.seed = 12345;
+  Model model = gen::animated_model(plan);
+  const Animation second = gen::second_animation(plan, model);
+  model.clips.push_back({"second", second.duration, {}, second});
+  model.triangles = {{0, 1, 2}, {2, 3, 4}, {1, 2, 3}, {0, 2, 4}, {0, 1, 4}};
+  for (Point3& v : model.vertices) v[2] *= 1e-310;
+  model.vertices[0] = Point3(3e-310, 1e-320, 0.7);
+  for (Point3& v : model.vertices) v *= unit;
+  for (Clip& clip : model.clips)
+    for (NodeTrack& track : clip.animation.tracks) {
+      for (auto& key : track.positions.keys) key.value *= unit;
+      for (auto& tangent : track.positions.tangents) tangent.into *= unit, tangent.out *= unit;
+    }
+  for (auto& node : model.skeleton.nodes) {
+    node.local.topRightCorner<3, 1>() *= unit;
+    if (node.rest) node.rest->translation *= unit;
+  }
+  for (auto& joint : model.skeleton.joints) joint.offset.topRightCorner<3, 1>() *= unit;
+  return model;
+}
+
+// A square of triangles whose sides are denormal, so that where they are counts only while denormals are kept.
+Model square_of_denormals() {
+  constexpr int side = 8;
+  Model model = animated(1);
+  model.vertices.clear(), model.triangles.clear();
+  for (int i = 0; i < side * side; ++i) model.vertices.push_back(1e-310 * Point3(i % side, i / side, 0));
+  for (int i = 0; i + side < side * side; ++i)
+    if (i % side + 1 < side)
+      model.triangles.push_back({i, i + 1, i + side}), model.triangles.push_back({i + side + 1, i + side, i + 1});
+  model.influences.assign(model.vertices.size(), {{0, 1}});
+  return model;
+}
+
+// A model whose lengths are denormal in float, with its bounds; all are made in the default mode, once.
+struct OverTimeWorld {
+  Model model = animated(1), tiny = animated(1e-39), square = square_of_denormals();
+  AnimatedJoints joints{model, model.clips[0].animation, false};
+  std::vector<ChainMotion<double>> links = joints.motions(0).links;
+  std::vector<Box<double>> boxes = {{{-0.1, 0.1, -0.2}, {0.1, 0.3, 1e38}},
+                                    {{-1e-40, 1e-40, -2e-40}, {1e-42, 3e-40, -1e-42}},
+                                    {{-1e-320, 0, 3e-321}, {1e-320, 1e-310, 1e-45}}};
+  ModelBounds bounds = bound_model(tiny, {.cluster_triangles = 4, .crossfades = true});
+};
+const OverTimeWorld& over_time() {
+  static const OverTimeWorld world;
+  return world;
+}
+
+std::vector<Entry> over_time_entries() {
+  return {
+      {"rounded_outward of a box",
+       [](const World&, Bytes& out) {
+         for (const Box<double>& of : over_time().boxes) {
+           const Box<float> box = rounded_outward(of);
+           out.add(box.low), out.add(box.high);
+         }
+       }},
+      {"around", [](const World&, Bytes& out) { out.add(around(over_time().bounds.clips[0].parts)); }},
+      {"bounds_of_all", [](const World&, Bytes& out) { out.add_all(bounds_of_all(over_time().bounds)); }},
+      {"parts_of",
+       [](const World&, Bytes& out) {
+         for (const Model* model : {&over_time().tiny, &over_time().square})
+           for (const ModelPart& part : parts_of(*model, 4)) out.add_all(part.vertices), out.add_all(part.triangles);
+       }},
+      {"link_motions",
+       [](const World&, Bytes& out) {
+         for (const Model* model : {&over_time().model, &over_time().tiny}) {
+           const auto& times = over_time().joints.times();
+           out.add_all(link_motions(model->skeleton.nodes, model->clips[0].animation, times[0], times[1]));
+         }
+       }},
+      {"chain_motions, chain_below",
+       [](const World&, Bytes& out) {
+         const auto& nodes = over_time().model.skeleton.nodes;
+         out.add_all(chain_motions(nodes, over_time().links));
+         for (int n = 0; n < static_cast<int>(nodes.size()); ++n) out.add(chain_below(nodes, over_time().links, -1, n));
+       }},
+      {"bound_over_time, bound_any_pose",
+       [](const World&, Bytes& out) {
+         const Model& model = over_time().model;
+         const JointSets sets(model);
+         const MovingVertices vertices(model, sets, Skinning::linear, gen::all_of(model.vertices));
+         const BoundOverTime bound = bound_over_time(over_time().joints, vertices, {.tolerance = 0.1, .most_halvings = 64});
+         for (const Slab<double>& slab : bound.slabs) out.add(slab.low), out.add(slab.high);
+         out.add(bound.ball), out.add(bound.error_per_rounding), out.add(bound.error_per_weight);
+         if (const auto any = bound_any_pose(model, sets, vertices.vertices(), Skinning::linear)) out.add(any->radius);
+       }},
+  };
+}
+
 std::string answer(const Entry& entry, const World& world) {
   Bytes out;
   entry.ask(world, out);
@@ -429,6 +536,9 @@ PROPTEST(float_environment) {
   });
   t.example("poses, skins and refits are the same, bit by bit, in every mode of the caller", {},
             [] { return are_the_same_in_all_modes(refitting_entries()); });
+  t.example(
+      "bounds over time, what they are made of and what is made of them are the same, bit by bit, in every mode of the caller",
+      {}, [] { return are_the_same_in_all_modes(over_time_entries()); });
   t.example("queries and certificates are the same, bit by bit, in every mode of the caller", {},
             [] { return are_the_same_in_all_modes(query_entries()); });
 }
