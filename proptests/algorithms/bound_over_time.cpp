@@ -404,9 +404,6 @@ void check_extremes_between_keys() {
   const double duration = *rc::gen::arbitrary<bool>() ? drawn_power(-4, 6) : drawn_power(-300, 150);
   // Tangents beyond the range of double are no input.
   if (!turns && !std::isfinite(unit * 4 / duration)) return;
-  // No file has durations whose squares underflow, or for which accelerations do: its times are floats.
-  const double acceleration = unit / duration / duration;
-  if (duration < 1e-150 ? std::isfinite(acceleration) : duration > 1e60 && acceleration < 1e-300) return;
   RC_TAG("bounded");
   RC_LOG() << (turns ? "turns" : "moves") << ", length " << unit << ", duration " << duration;
   RC_CLASSIFY(is_tiny, "degenerate");

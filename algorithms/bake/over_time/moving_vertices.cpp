@@ -42,18 +42,23 @@ constexpr double error_per_defect = 64;
 // as the least angle at which rotation_center.hpp looks for one allows.
 constexpr double growth_about_center = 1e4;
 
-// Returns the slack of c1_chord_bound, also where squares of sides are too small, or accelerations too great, for double.
-double chord_within(const Motion<double>& motion, double side) {
-  if (side == 0) return 0;
-  const double chord = chord_slack(motion, side), simple = first_order_slack(motion.speed, side);
-  return chord >= 0 ? chord : simple >= 0 ? simple : unknown;
-}
+// Beyond these, the square of a side, or an acceleration in it, may underflow.
+constexpr double shortest_side = 1e-140, longest_side = 1e60;
 
 // If a factor is unknown, so is the product, even if the other factor is 0. A NaN becomes unknown here, so that no maximum passes
 // over it.
 double or_unknown(double x) { return x >= 0 ? x : unknown; }
 Motion<double> or_unknown(const Motion<double>& m) {
   return {or_unknown(m.size), or_unknown(m.speed), or_unknown(m.acceleration)};
+}
+
+// Returns the slack of c1_chord_bound, also where squares of sides are too small, or accelerations too great, for double.
+double chord_within(const Motion<double>& motion, double side) {
+  if (side == 0) return 0;
+  const double simple = or_unknown(first_order_slack(motion.speed, side));
+  if (side < shortest_side || side > longest_side) return simple;
+  const double chord = chord_slack(motion, side);
+  return chord >= 0 ? chord : simple;
 }
 
 double sum_of(const std::vector<double>& numbers) { return std::accumulate(numbers.begin(), numbers.end(), 0.0); }
