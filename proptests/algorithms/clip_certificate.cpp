@@ -854,11 +854,13 @@ void half_turns_intervals_and_what_is_no_certificate(Suite& t) {
     for (const std::string& verdict : certified.judged(texts, certified.baked()))
       if (!is_rejected_for(verdict, "") && !is_accepted(verdict)) wrong += verdict + "; ";
     for (const std::string& arguments :
-         {"--against /nonexistent " + certified.baked(), certified.baked(), std::string("--against")}) {
+         {"--against /nonexistent " + certified.baked(), certified.baked(), std::string("--against"), std::string()}) {
       const auto run = oracle::run_clip_checker(arguments);
       if (run.status != 2) wrong += arguments + ": " + std::to_string(run.status) + "; ";
     }
-    return Checked(wrong.empty(), static_cast<long>(texts.size()) + 3, wrong);
+    const std::string listed = certified.judged_against(glb_of({{json_chunk, "[]"}}, "list.glb"));
+    if (!is_unreadable_for(listed, "the file's description is no object")) wrong += listed;
+    return Checked(wrong.empty(), static_cast<long>(texts.size()) + 5, wrong);
   });
 }
 
