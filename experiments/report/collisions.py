@@ -100,7 +100,8 @@ def differences(results):
         if detector.tolerated_share > 0 and detector.found == "yes":
             def of(quantity):
                 return sum(r.value for r in results.find("collision", variant=detector.detector, query="full", quantity=quantity))
-            out.append((detector, of("differing_pairs"), of("pairs")))
+            if list(results.find("collision", variant=detector.detector, query="full", quantity="pairs")):  # it was measured
+                out.append((detector, of("differing_pairs"), of("pairs")))
     return out
 
 
