@@ -10,6 +10,7 @@
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
+#include "proptests/gen/farthest_placement.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -228,17 +229,10 @@ void check_placements_at_the_end_of_double() {
   ClusterBody first(tree, skinning), second(tree, skinning);
   std::mt19937 random(plan.seed);
   const Pose pose = gen::random_pose(c.mesh, random);
-  constexpr double largest = std::numeric_limits<double>::max();
-  const double lengths[] = {largest, std::nextafter(largest, 0), 1.797e308, 0x1p1023, 1e308, 1e300, 0.3};
-  const auto drawn = [&] {
-    RigidTransform<double> out{gen::random_rotation(random, 1), {}};
-    for (int i = 0; i < 3; ++i) out.translation[i] = lengths[random() % std::size(lengths)] * (random() % 4 ? 1 : -1);
-    return out;
-  };
   PairMemory memory;
   for (int i = 0; i < 4; ++i) {
-    const RigidTransform<double> at_a = drawn();
-    RigidTransform<double> at_b = drawn();
+    const RigidTransform<double> at_a = gen::farthest_placement(random);
+    RigidTransform<double> at_b = gen::farthest_placement(random);
     if (i < 3) at_b.translation = at_a.translation;
     if (i == 2) at_b.translation[0] = std::nextafter(at_b.translation[0], 0);
     first.begin(pose, at_a), second.begin(pose, at_b);

@@ -11,6 +11,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/deformations.hpp"
+#include "proptests/gen/farthest_placement.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -282,15 +283,6 @@ void check_frames_after_refused_ones() {
   }
 }
 
-// Placements so far away that sums and differences of their coordinates overflow.
-RigidTransform<double> farthest_placement(std::mt19937& random) {
-  constexpr double largest = std::numeric_limits<double>::max();
-  RigidTransform<double> out{random_rotation(random, 1), {}};
-  const double lengths[] = {largest, std::nextafter(largest, 0), 1.797e308, 0x1p1023, 1e308, 1e300, 0.3};
-  for (int i = 0; i < 3; ++i) out.translation[i] = lengths[random() % std::size(lengths)] * (random() % 4 ? 1 : -1);
-  return out;
-}
-
 // Vertices in double are alike there, or as far apart as numbers can be.
 void check_placements_at_the_end_of_double() {
   const gen::MeshPlan plan = small_plan();
@@ -307,8 +299,8 @@ void check_placements_at_the_end_of_double() {
   Body first(c, variant), second(c, variant);
   first.begin(pose), second.begin(pose);
   for (int i = 0; i < 4; ++i) {
-    const RigidTransform<double> at_a = farthest_placement(random);
-    RigidTransform<double> at_b = farthest_placement(random);
+    const RigidTransform<double> at_a = gen::farthest_placement(random);
+    RigidTransform<double> at_b = gen::farthest_placement(random);
     if (i < 3) at_b.translation = at_a.translation;
     if (i == 2) at_b.translation[0] = std::nextafter(at_b.translation[0], 0);
     const auto expected = oracle::all_pairs({c, pose, at_a}, {c, pose, at_b}, variant.skinning);

@@ -369,7 +369,7 @@ std::vector<Entry> over_time_entries() {
          const MovingVertices vertices(model, sets, Skinning::linear, gen::all_of(model.vertices));
          const BoundOverTime bound = bound_over_time(over_time().joints, vertices, {.tolerance = 0.1, .most_halvings = 64});
          for (const Slab<double>& slab : bound.slabs) out.add(slab.low), out.add(slab.high);
-         out.add(bound.ball), out.add(bound.error_per_rounding), out.add(bound.error_per_weight);
+         out.add(bound.ball), out.add(bound.errors.per_rounding), out.add(bound.errors.per_weight);
          if (const auto any = bound_any_pose(model, sets, vertices.vertices(), Skinning::linear)) out.add(any->radius);
        }},
   };

@@ -207,7 +207,8 @@ void what_renderers_and_weights_are_off_by(Suite& t) {
           const AnimatedJoints joints(model, model.clips[0].animation, true);
           const MovingVertices moving(model, sets, skinning, {0});
           const JointCell cell = joints.cell(3, 1 - 1e-9, 1);
-          return std::pair{moving.error_per_weight(cell), moving.error_per_rounding(cell)};
+          const ErrorGrowth errors = moving.error_growth(cell);
+          return std::pair{errors.per_weight, errors.per_rounding};
         };
         // Two joints at halves, a right angle apart: the blend's squared length is (1 + cos 45 degrees) / 2.
         const double squared = (1 + std::sqrt(0.5)) / 2, right = 1 / std::sqrt(squared) + 1 / squared;

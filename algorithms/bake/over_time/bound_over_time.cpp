@@ -301,9 +301,9 @@ BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const
   BoundOverTime out;
   for (const MovingJoints* of : joints)
     for (const ParameterBox& box : of->boxes()) {
-      const JointCell cell = of->cell(box);
-      out.error_per_rounding = std::max(out.error_per_rounding, vertices.error_per_rounding(cell));
-      out.error_per_weight = std::max(out.error_per_weight, vertices.error_per_weight(cell));
+      const ErrorGrowth growth = vertices.error_growth(of->cell(box));
+      out.errors.per_rounding = std::max(out.errors.per_rounding, growth.per_rounding);
+      out.errors.per_weight = std::max(out.errors.per_weight, growth.per_weight);
     }
   DirectionFunctions directions(options.directions, options.tolerance);
   Search slabs(joints, vertices, directions, options.most_halvings);

@@ -41,9 +41,9 @@ struct BoundOverTime {
   // For joints with one parameter, these are the intervals from which both bounds are made. They cover the parameter, in order of
   // time.
   std::vector<ProvenInterval> slab_intervals, ball_intervals;
-  double error_per_rounding = 0, error_per_weight = 0;  // as in MovingVertices, at any time; units of the file
-  int moments = 0;                                      // at which the vertices were skinned
-  double gap = 0;  // the most by which a slab is wider than the vertices that were seen at moments; units of the file
+  ErrorGrowth errors;  // at any time
+  int moments = 0;     // at which the vertices were skinned
+  double gap = 0;      // the most by which a slab is wider than the vertices that were seen at moments; units of the file
 };
 
 // Returns bounds that hold for all that any of these joints, at least one, can do. Throws std::invalid_argument for a tolerance

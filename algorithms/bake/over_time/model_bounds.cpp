@@ -106,7 +106,7 @@ BoundedPart outward(const BoundOverTime& bound, int joints, double renderer_roun
   double farthest = 0;
   for (int i = 0; i < 3; ++i) farthest = std::max({farthest, std::abs(box.low[i]), std::abs(box.high[i])});
   const double more =
-      renderer_rounding * bound.error_per_rounding + std::ldexp(joints > 1 ? joints : 0, -weight_bits) * bound.error_per_weight;
+      renderer_rounding * bound.errors.per_rounding + std::ldexp(joints > 1 ? joints : 0, -weight_bits) * bound.errors.per_weight;
   box.grow(more);
   BoundedPart out = {rounded_outward(box), rounded_outward(Ball3<double>{bound.ball.center, bound.ball.radius + more})};
   const auto directions = slab_directions(static_cast<int>(2 * bound.slabs.size()));

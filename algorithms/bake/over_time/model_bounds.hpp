@@ -74,7 +74,7 @@ struct ModelBoundsOptions {
   bool any_pose = false;                           // bound what poses of code could do, too
   bool with_intervals = false;                     // keep the intervals of the clips' bounds
   // Bounds are wider by this share of the distance of a vertex's images by its joints from the scene's origin, because a renderer skins
-  // in float and is off by as much. Where blended quaternions are short, they are wider by more (MovingVertices::error_per_rounding).
+  // in float and is off by as much. Where blended quaternions are short, they are wider by more (ErrorGrowth).
   double renderer_rounding = 0x1p-19;
   // This is called with the share that is done, from any thread, one call at a time.
   std::function<void(double)> progress = {};

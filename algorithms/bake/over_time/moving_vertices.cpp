@@ -365,19 +365,16 @@ double MovingVertices::growth_of_weights(const Set& set, const JointCell& cell) 
   return 1 / least + 1 / sq(least);
 }
 
-double MovingVertices::error_per_rounding(const JointCell& cell) const {
+ErrorGrowth MovingVertices::error_growth(const JointCell& cell) const {
   const DefaultFloatEnvironment environment;
-  double most = 0;
-  // Without a blend of quaternions, or if they are all the same, an image is off by its own error.
-  for (const Set& set : sets_) most = std::max(most, farthest_image(set, cell) * std::max(growth_of_weights(set, cell) / 2, 1.0));
-  return most;
-}
-
-double MovingVertices::error_per_weight(const JointCell& cell) const {
-  const DefaultFloatEnvironment environment;
-  double most = 0;
-  for (const Set& set : sets_) most = std::max(most, farthest_image(set, cell) * growth_of_weights(set, cell));
-  return most;
+  ErrorGrowth out;
+  for (const Set& set : sets_) {
+    const double image = farthest_image(set, cell), growth = growth_of_weights(set, cell);
+    // Without a blend of quaternions, or if they are all the same, an image is off by its own error.
+    out.per_rounding = std::max(out.per_rounding, image * std::max(growth / 2, 1.0));
+    out.per_weight = std::max(out.per_weight, image * growth);
+  }
+  return out;
 }
 
 int MovingVertices::most_joints() const {

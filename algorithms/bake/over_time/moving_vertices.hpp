@@ -27,6 +27,15 @@ struct CellSlack {
 // Finite says whether the slack of a cell may be infinite, because another cell will do, or must be finite, however loose it is.
 enum class Finite { may_be, must_be };
 
+// Says what a vertex is off by at most, in units of the file.
+struct ErrorGrowth {
+  // This is for each unit of relative error in a skinning's steps. It is the greatest distance from the scene's origin of an image of a
+  // vertex by one of its joints, even if the images mostly cancel; and more where blended quaternions are short.
+  double per_rounding = 0;
+  // This is the same for each unit of the sum of the weights' absolute errors.
+  double per_weight = 0;
+};
+
 class MovingVertices {
  public:
   // vertices are some vertices of the model, at least one, by index. All arguments must outlive this. skinning is linear,
@@ -46,12 +55,8 @@ class MovingVertices {
   // Throws ModelError if it must but there is no bound, which happens for a blend of three or more rotations that may vanish.
   CellSlack slack(const JointCell& cell, Finite finite) const;
 
-  // Returns what a vertex is off by at most, at any moment of the cell, for each unit of relative error in a skinning's steps. It is the
-  // greatest distance from the scene's origin of an image of a vertex by one of its joints, even if the images mostly cancel; and more
-  // where blended quaternions are short.
-  double error_per_rounding(const JointCell& cell) const;
-  // Returns the same for each unit by which the sum of the weights' absolute errors is off.
-  double error_per_weight(const JointCell& cell) const;
+  // Returns the greatest growth of errors in any vertex, at any moment of the cell.
+  ErrorGrowth error_growth(const JointCell& cell) const;
 
   // Returns the greatest number of joints of a vertex.
   int most_joints() const;
