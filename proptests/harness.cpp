@@ -65,8 +65,15 @@ std::string complaint_about_shares(const Outcome& outcome) {
 
 }  // namespace
 
-void Suite::run(const std::string& sentence, const std::string& kind, const Options& options,
-                const rc::detail::Property& property) {
+void Suite::holds(const std::string& sentence, const Options& options, std::function<void()> property) {
+  run(sentence, "holds", options, std::move(property));
+}
+
+void Suite::refuted(const std::string& sentence, const Options& options, std::function<void()> property) {
+  run(sentence, "refuted", options, std::move(property));
+}
+
+void Suite::run(const std::string& sentence, const std::string& kind, const Options& options, std::function<void()> property) {
   Session& session = Session::get();
   const auto start = std::chrono::steady_clock::now();
   session.announce(stem_, sentence);
@@ -80,7 +87,7 @@ void Suite::run(const std::string& sentence, const std::string& kind, const Opti
   params.maxSize = options.max_size;
   params.maxDiscardRatio = 20;
   Quiet listener(session, params.maxSuccess);
-  const auto result = rc::detail::checkProperty(property, metadata, params, listener);
+  const auto result = rc::detail::checkProperty(rc::detail::toProperty(std::move(property)), metadata, params, listener);
 
   Outcome outcome{.stem = stem_, .sentence = sentence, .kind = kind, .options = options};
   outcome.seed = params.seed;

@@ -17,6 +17,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace proptests {
@@ -68,21 +69,21 @@ class Suite {
  public:
   explicit Suite(std::string stem) : stem_(std::move(stem)) {}
 
-  // Passes if no case fails, all cases were run, and the shares of degenerate cases and of labels are as wanted.
-  template <class Testable>
-  void holds(const std::string& sentence, const Options& options, Testable&& property) {
-    run(sentence, "holds", options, rc::detail::toProperty(std::forward<Testable>(property)));
-  }
+  // Passes if no case fails, all cases were run, and the shares of degenerate cases and of labels are as wanted. A property takes no
+  // arguments, and draws what it needs. All of them have one type here: RapidCheck would compile some forty functions for each.
+  void holds(const std::string& sentence, const Options& options, std::function<void()> property);
+  template <class Property>
+  requires(!std::is_void_v<std::invoke_result_t<Property>>) void holds(const std::string&, const Options&, Property) =
+      delete;  // what it returns would be thrown away
   // Passes if random testing finds a counterexample: the statement is wrong, and the test is able to see it.
-  template <class Testable>
-  void refuted(const std::string& sentence, const Options& options, Testable&& property) {
-    run(sentence, "refuted", options, rc::detail::toProperty(std::forward<Testable>(property)));
-  }
+  void refuted(const std::string& sentence, const Options& options, std::function<void()> property);
+  template <class Property>
+  requires(!std::is_void_v<std::invoke_result_t<Property>>) void refuted(const std::string&, const Options&, Property) = delete;
   // A check without randomness: a pinned counterexample, a table of known values.
   void example(const std::string& sentence, const Options& options, const std::function<Checked()>& check);
 
  private:
-  void run(const std::string& sentence, const std::string& kind, const Options& options, const rc::detail::Property& property);
+  void run(const std::string& sentence, const std::string& kind, const Options& options, std::function<void()> property);
   std::string stem_;
 };
 
