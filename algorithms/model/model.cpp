@@ -22,6 +22,13 @@ Joints joints_of(const Model& model) try {
   return Joints::affine;
 }
 
+std::span<const LostInfluence> lost_influences(const Model& model, int vertex) {
+  const auto less = [](const auto& a, const auto& b) { return a.vertex < b.vertex; };
+  const auto [first, last] = std::equal_range(model.lost_influences.begin(), model.lost_influences.end(),
+                                              LostInfluence{.vertex = vertex, .joint = 0, .share = 0}, less);
+  return {first, last};
+}
+
 MorphTargets morph_targets(const Model& model) {
   MorphTargets out;
   for (const MorphedMesh& mesh : model.morphs) out.count += static_cast<int>(mesh.targets.size());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +41,13 @@ struct MorphedMesh {
   std::vector<MorphTarget> targets;
 };
 
+// A LostInfluence is a joint to which the file gives a share of a vertex that quantize_weights rounds to 0. So no influence of
+// the mesh tells of it, but a renderer of the file moves the vertex by it.
+struct LostInfluence {
+  int vertex, joint;
+  double share;  // of the sum of the vertex's weights, in (0, 2^-24)
+};
+
 struct Model : SkinnedMesh {
   std::vector<Clip> clips = {};
   // This says how far the skin matrices M of a file are from rotations, after its scale s is taken out. It is the largest
@@ -53,6 +61,7 @@ struct Model : SkinnedMesh {
   std::vector<SourcePrimitive> sources = {};
   // Models loaded with Morphs::moving have these. Their vertices are those of weights 0.
   std::vector<MorphedMesh> morphs = {};
+  std::vector<LostInfluence> lost_influences = {};  // of files, by vertex and joint in increasing order
   // The notes say, in sentences for the user, what of the file is missing in the model or different.
   std::vector<std::string> notes = {};
 };
@@ -60,6 +69,9 @@ struct Model : SkinnedMesh {
 // Says whether the joints are affine at one of 16 moments of a clip, evenly spread. For a model without clips the joints are
 // taken as they rest.
 Joints joints_of(const Model& model);
+
+// Returns the lost influences of a vertex.
+std::span<const LostInfluence> lost_influences(const Model& model, int vertex);
 
 // Returns all targets of all morphed meshes, those of the first mesh first.
 MorphTargets morph_targets(const Model& model);

@@ -112,8 +112,18 @@ class Skin {
       model_.vertices.push_back(rest);
       auto& influences = model_.influences.emplace_back();
       for (const auto& [joint, weight] : quantize_weights(weights)) influences.push_back({joint, weight});
+      add_lost_influences(found->second, weights, sum);
     }
     return found->second;
+  }
+
+  // sum is that of the weights, which are of a new vertex.
+  void add_lost_influences(int vertex, const Weights& weights, double sum) {
+    std::map<int, double> lost;
+    for (const auto& [joint, weight] : weights)
+      if (weight > 0) lost[joint] += weight;
+    for (const Influence& kept : model_.influences[static_cast<std::size_t>(vertex)]) lost.erase(kept.joint);
+    for (const auto& [joint, weight] : lost) model_.lost_influences.push_back({vertex, joint, weight / sum});
   }
 
   static constexpr double usual_sum_error = 1e-3;  // of weights with few digits

@@ -134,6 +134,34 @@ void vertices_stay_within_the_radius(Suite& t) {
             });
 }
 
+// A joint whose weight is rounded to 0 may carry a vertex just as far as another.
+void check_lost_influences() {
+  const gen::AnimatedPlan plan = gen::draw_animated_plan(true);
+  Model whole = gen::animated_model(plan);
+  RC_LOG() << plan;
+  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  if (plan.seed % 2 == 0) leave_two_joints(whole);
+  Model model = whole;
+  for (std::size_t v = 0; v < model.vertices.size(); ++v) {
+    std::vector<Influence>& influences = model.influences[v];
+    if (influences.size() < 2) continue;
+    model.lost_influences.push_back({static_cast<int>(v), influences.back().joint, 1e-9});
+    influences.pop_back();
+    std::vector<std::pair<int, double>> kept;
+    for (const Influence& i : influences) kept.emplace_back(i.joint, i.weight);
+    influences.clear();
+    for (const auto& [joint, weight] : quantize_weights(kept)) influences.push_back({joint, weight});
+    RC_TAG("lost");
+  }
+  for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion}) {
+    const auto all = gen::all_of(model.vertices);
+    const auto bound = bound_any_pose(model, JointSets(model), all, skinning),
+               of_whole = bound_any_pose(whole, JointSets(whole), all, skinning);
+    RC_ASSERT(bound.has_value() == of_whole.has_value());
+    if (bound) RC_ASSERT(bound->node == of_whole->node && std::abs(bound->radius / of_whole->radius - 1) < 1e-12);
+  }
+}
+
 // Three joints of which two come to lie on opposite sides.
 Checked check_opposite_joints() {
   const Point3 places[] = {{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}};
@@ -306,6 +334,9 @@ PROPTEST(any_pose) {
   t.example("of three joints that may come to lie on opposite sides, a blend of rotations has no ball, and that of two has", {},
             check_opposite_joints);
   what_is_small_beside_its_place(t);
+  t.holds("joints whose weights are rounded to 0 count like others",
+          {.number_type = "double", .cases = 100, .degenerate_at_most = 0.9, .tags_at_least = {{"lost", 0.3}}},
+          check_lost_influences);
   t.example("a stretched arm reaches the radius, exactly but for rounding, and does not reach beyond it",
             {.number_type = "rational"}, check_stretched_arms);
   t.example("a stretched arm reaches the radius, and joints of two trees have no node above them", {}, [] {

@@ -272,6 +272,34 @@ void vertices_that_are_merged_dropped_or_kept(Suite& t) {
   });
 }
 
+void influences_that_are_lost(Suite& t) {
+  t.example("a joint whose weight is rounded to 0 is told of, with its share, and one of weight 0 is not", {}, [] {
+    RiggedGltf scene = gen::bending_tube(3);
+    const auto give = [&](std::size_t vertex, std::array<float, 4> weights) {
+      scene.meshes[0].joints[0][vertex] = {2, 0, 1, 0}, scene.meshes[0].weights[0][vertex] = weights;
+    };
+    // Joint 0 is there twice: neither weight is lost if both together are not.
+    give(3, {1, 1e-9f, 0, 2e-9f}), give(5, {1e-9f, 1, 1e-8f, 0}), give(7, {1, 0x1p-26f, 0, 0x1p-25f}),
+        give(9, {0.5f, 0, 0.5f, 0});
+    const Model m = load(scene);
+    std::vector<std::string> wrong;
+    const auto expect = [&](int vertex, const std::vector<std::pair<int, double>>& lost) {
+      const int at = m.sources[0].vertices[static_cast<std::size_t>(vertex)];
+      const auto found = lost_influences(m, at);
+      bool same = found.size() == lost.size();
+      for (std::size_t i = 0; same && i < lost.size(); ++i)
+        same = found[i].vertex == at && found[i].joint == lost[i].first && std::abs(found[i].share / lost[i].second - 1) < 1e-6;
+      if (!same) wrong.push_back(std::to_string(vertex));
+    };
+    expect(3, {{0, 3e-9}}), expect(5, {{1, 1e-8}, {2, 1e-9}}), expect(7, {}), expect(9, {}), expect(0, {});
+    const auto& all = m.lost_influences;
+    const bool in_order = std::is_sorted(all.begin(), all.end(), [](const LostInfluence& a, const LostInfluence& b) {
+      return std::pair(a.vertex, a.joint) < std::pair(b.vertex, b.joint);
+    });
+    return Checked(wrong.empty() && all.size() == 3 && in_order, 6, wrong.empty() ? "" : "vertex " + wrong[0]);
+  });
+}
+
 void how_rigid_a_clip_has_to_be(Suite& t) {
   t.example("a scale that wavers within the tolerance is measured, and one beyond it is refused", {}, [] {
     const auto wavering = [](float by) {
@@ -578,6 +606,7 @@ PROPTEST(load) {
   rigs_and_real_models_as_their_files_say(t);
   what_a_tube_is_loaded_as(t);
   vertices_that_are_merged_dropped_or_kept(t);
+  influences_that_are_lost(t);
   how_rigid_a_clip_has_to_be(t);
   keys_and_their_times(t);
   broken_rigs_and_what_is_no_model(t);

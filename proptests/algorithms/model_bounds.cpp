@@ -16,6 +16,9 @@
 #include "algorithms/model/load.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
+#include "algorithms/runtime/skinning/blend.hpp"
+#include "algorithms/runtime/skinning/rotation_center.hpp"
+#include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/model_of_nodes.hpp"
 #include "proptests/gen/rich_gltf.hpp"
@@ -572,6 +575,21 @@ Point3 blended_exactly(const Turns& turns, const std::vector<Point3>& places, co
   return ((Exact(carried) * Exact(blend).conjugate()).vec() / blend.squaredNorm()).cast<double>();
 }
 
+// The same spherically, of the joints of the model's first vertex, in double.
+Point3 blended_spherically(const Model& model, const Turns& turns, const std::vector<Point3>& places,
+                           const std::vector<double>& weights, const Point3& v) {
+  OwnedPaletteEntry<double> palette;
+  for (std::size_t j = 0; j < turns.size(); ++j) {
+    const Eigen::Quaterniond q = turns[j].normalized();
+    palette.transforms.push_back({{q.w(), q.x(), q.y(), q.z()}, places[j]});
+  }
+  make_signs_consistent<double>(palette.transforms);
+  const JointSets sets(model);
+  const Point3 prior = center_prior(model, sets.joints(sets.of_vertex(0)), Skinning::spherical);
+  place_rotation_center(palette, rotation_center<double>(palette.transforms, prior));
+  return blend<double>(Skinning::spherical, palette, weights, v);
+}
+
 // Weights of a base joint and of others that share the rest nearly equally: those of even and of odd joints are rounded the other way.
 std::vector<double> weights_between_multiples(int joints, double first, double odd, double even) {
   std::vector<double> weights(static_cast<std::size_t>(joints));
@@ -597,8 +615,10 @@ void check_unrounded_weights() {
   const int joints = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(2, 18));
   const double first = *rc::gen::element(0.11, 0.12, 0.15, 0.3, 0.8);
   const double renderer_rounding = *rc::gen::element(0.0, ModelBoundsOptions{}.renderer_rounding);
+  const bool spherical = *rc::gen::arbitrary<bool>();
   const unsigned seed = drawn_seed();
-  RC_LOG() << joints << " joints, the first with " << first << ", renderer " << renderer_rounding << ", seed " << seed;
+  RC_LOG() << joints << " joints, the first with " << first << ", renderer " << renderer_rounding
+           << (spherical ? ", spherical" : ", dual") << ", seed " << seed;
   RC_CLASSIFY(joints == 2 || first > 0.5, "degenerate");
   Numbers random(seed);
   const bool is_worst = random.below(4) != 0;
@@ -623,18 +643,77 @@ void check_unrounded_weights() {
       still.tracks.push_back(turning(static_cast<int>(j) + 1, places[j], turns[clip][j], turns[clip][j]));
     model.clips.push_back({"still", 1, {}, still});
   }
-  const ModelBounds made =
-      bound_model(model, {.skinning = Skinning::dual_quaternion, .cluster_triangles = 0, .renderer_rounding = renderer_rounding});
+  const ModelBounds made = bound_model(model, {.skinning = spherical ? Skinning::spherical : Skinning::dual_quaternion,
+                                               .cluster_triangles = 0,
+                                               .renderer_rounding = renderer_rounding});
+  const auto blended = [&](const Turns& moment, const std::vector<double>& by) {
+    return spherical ? blended_spherically(model, moment, places, by, v) : blended_exactly(moment, places, by, v);
+  };
   std::vector<double> of_model;
   for (const auto& [joint, weight] : rounded) of_model.push_back(weight);
   double farthest = 0, off = 0;
   for (std::size_t moment = 0; moment < turns.size(); ++moment) {
-    const Point3 exact = blended_exactly(turns[moment], places, weights, v);
+    const Point3 exact = blended(turns[moment], weights);
     RC_ASSERT(holds(moment == 0 ? made.rest[0] : made.clips[moment - 1].parts[0], {exact}));
     for (std::size_t j = 0; j < places.size(); ++j) farthest = std::max(farthest, (turns[moment][j] * v + places[j]).norm());
-    off = std::max(off, (exact - blended_exactly(turns[moment], places, of_model, v)).norm());
+    off = std::max(off, (exact - blended(turns[moment], of_model)).norm());
   }
   if (off > (joints * 0x1p-24 + renderer_rounding) * farthest) RC_TAG("the blend enlarges what rounding takes");
+}
+
+// A turn of this angle at most.
+Eigen::Quaterniond slight_turn(Numbers& random, double angle) {
+  return Eigen::Quaterniond(Eigen::AngleAxisd(random.between(0, angle), random.vector().normalized()));
+}
+
+// Joints with shares that are not rounded to 0, and others that are so far away that they move the vertex more than others' rounding does.
+void check_lost_influences() {
+  const int kept = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, 5)),
+            lost = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, 4)),
+            power = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 7));
+  const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::dual_quaternion);
+  const unsigned seed = drawn_seed();
+  RC_LOG() << kept << " joints, " << lost << " lost ones at 10^" << power << ", skinning " << static_cast<int>(skinning)
+           << ", seed " << seed;
+  RC_CLASSIFY(power == 0 || kept == 1, "degenerate");
+  Numbers random(seed);
+  const int joints = kept + lost;
+  std::vector<std::pair<int, double>> listed;
+  double sum = 0;
+  for (int j = 0; j < joints; ++j) {
+    const double weight = j < kept ? random.between(0.2, 1) : std::ldexp(random.between(0.1, 0.49), -weight_bits) * kept * 0.2;
+    listed.emplace_back(j, weight), sum += weight;
+  }
+  const auto rounded = quantize_weights(listed);
+  const Point3 v = random.vector();
+  const Eigen::Quaterniond base = random.turn();
+  std::vector<Point3> places;
+  for (int j = 0; j < joints; ++j) places.emplace_back((j < kept ? 1 : std::pow(10.0, power)) * random.vector());
+  std::vector<Turns> turns(2);  // in the rest pose, and in a clip
+  for (Turns& moment : turns)
+    for (int j = 0; j < joints; ++j) moment.push_back(base * slight_turn(random, 0.7));
+  Model model = joints_below_a_base(turns[0], places, rounded, v);
+  double far_share = 0;
+  for (const int vertex : {0, 1, 2})
+    for (const auto& [joint, weight] : listed)
+      if (std::none_of(rounded.begin(), rounded.end(), [joint = joint](const auto& of) { return of.first == joint; })) {
+        model.lost_influences.push_back({vertex, joint + 1, weight / sum});
+        if (vertex == 0) far_share = std::max(far_share, weight / sum * places[static_cast<std::size_t>(joint)].norm());
+      }
+  Animation still{"still", 1, {}};
+  for (std::size_t j = 0; j < places.size(); ++j)
+    still.tracks.push_back(turning(static_cast<int>(j) + 1, places[j], turns[1][j], turns[1][j]));
+  model.clips.push_back({"still", 1, {}, still});
+  const ModelBounds made = bound_model(model, {.skinning = skinning, .cluster_triangles = 0, .renderer_rounding = 0});
+  std::vector<double> shares;
+  for (const auto& [joint, weight] : listed) shares.push_back(weight / sum);
+  if (far_share > 10 * kept * 0x1p-24) RC_TAG("lost ones are far");
+  for (std::size_t moment = 0; moment < turns.size(); ++moment) {
+    Point3 exact = Point3::Zero();
+    for (std::size_t j = 0; j < places.size(); ++j) exact += shares[j] * (turns[moment][j] * v + places[j]);
+    if (skinning == Skinning::dual_quaternion) exact = blended_exactly(turns[moment], places, shares, v);
+    RC_ASSERT(holds(moment == 0 ? made.rest[0] : made.clips[0].parts[0], {exact}));
+  }
 }
 
 // A half turn, but for this cosine of the quaternions.
@@ -686,12 +765,17 @@ void check_both_signs() {
 
 void blends_of_rotations(Suite& t) {
   t.holds(
-      "dual quaternions with the weights of the file, which are not rounded, put no vertex outside, however short their blend is",
-      {.number_type = "long double",
+      "dual quaternions and spherical blends with the weights of the file, which are not rounded, put no vertex outside, however "
+      "short "
+      "the blend is",
+      {.number_type = "double, long double",
        .cases = 300,
        .degenerate_at_most = 0.6,
        .tags_at_least = {{"the blend enlarges what rounding takes", 0.1}}},
       check_unrounded_weights);
+  t.holds("joints whose weights are rounded to 0 put no vertex outside, however far they carry it",
+          {.number_type = "double", .cases = 300, .degenerate_at_most = 0.6, .tags_at_least = {{"lost ones are far", 0.3}}},
+          check_lost_influences);
   t.holds(
       "where two joints are half a turn apart, to within what a renderer in float rounds, the vertex is inside with either sign",
       {.number_type = "long double", .cases = 120, .degenerate_at_most = 0.6, .tags_at_least = {{"either sign", 0.3}}},

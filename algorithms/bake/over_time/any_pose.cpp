@@ -113,15 +113,17 @@ std::optional<AnyPoseBound> bound_any_pose(const Model& model, const JointSets& 
   const Ranges ranges(model);
   const BoundSkeleton& skeleton = model.skeleton;
 
-  std::map<int, Lengths> lengths;  // by joint-set
+  std::map<std::vector<int>, Lengths> lengths;  // by all joints that the file gives a vertex
   for (const int v : vertices) {
-    const int set = sets.of_vertex(v);
-    ranges.include(v, sets.joints(set), lengths[set]);
+    const auto kept = sets.joints(sets.of_vertex(v));
+    std::vector<int> joints(kept.begin(), kept.end());
+    for (const LostInfluence& lost : lost_influences(model, v)) joints.push_back(lost.joint);
+    ranges.include(v, joints, lengths[joints]);
   }
   std::vector<int> above;  // the path that all joints' paths begin with
   bool is_first = true;
-  for (const auto& [set, list] : lengths)
-    for (const int j : sets.joints(set)) {
+  for (const auto& [joints, list] : lengths)
+    for (const int j : joints) {
       const std::vector<int> path = path_to(skeleton.nodes, skeleton.joints[j].node);
       if (is_first) above = path, is_first = false;
       above.resize(
@@ -130,15 +132,14 @@ std::optional<AnyPoseBound> bound_any_pose(const Model& model, const JointSets& 
   if (above.empty()) return std::nullopt;
   // Of three rotations, two may come to lie on opposite sides, and their blend may vanish.
   if (skinning != Skinning::linear)
-    for (const auto& [set, list] : lengths)
-      if (sets.joints(set).size() > 2) return std::nullopt;
+    for (const auto& [joints, list] : lengths)
+      if (joints.size() > 2) return std::nullopt;
 
   // The vertices below the node are carried by its scale and those above it, and not by its translation.
   const std::vector<LinkRange<double>> carrying = ranges.links(above);
   const double defect = skinning == Skinning::linear ? 0 : ranges.defect();
   double greatest = 0, summed = 0;
-  for (const auto& [set, list] : lengths) {
-    const auto joints = sets.joints(set);
+  for (const auto& [joints, list] : lengths) {
     // A rigid transform carries a point elsewhere than the skin matrix that it stands for, which has the same translation.
     const double beside = defect * list.from_origin;
     std::vector<std::vector<int>> paths;

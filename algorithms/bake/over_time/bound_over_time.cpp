@@ -304,6 +304,7 @@ BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const
       const ErrorGrowth growth = vertices.error_growth(of->cell(box));
       out.errors.per_rounding = std::max(out.errors.per_rounding, growth.per_rounding);
       out.errors.per_weight = std::max(out.errors.per_weight, growth.per_weight);
+      out.errors.of_lost_influences = std::max(out.errors.of_lost_influences, growth.of_lost_influences);
     }
   DirectionFunctions directions(options.directions, options.tolerance);
   Search slabs(joints, vertices, directions, options.most_halvings);

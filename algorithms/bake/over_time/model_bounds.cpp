@@ -99,14 +99,15 @@ std::vector<Point3> directions_of_dop(int dop) {
 }
 
 // Widens a bound by what renderers lose, and by what a vertex is off because its weights are multiples of 2^-24 (quantize.hpp), each of
-// them off by less than that. Throws ModelError, with this thing of the file, if floats do not hold the bound.
+// them off by less than that, and those that are rounded to 0 by themselves. Throws ModelError, with this thing of the file, if floats do not hold the bound.
 BoundedPart outward(const BoundOverTime& bound, int joints, double renderer_rounding, const std::string& file,
                     const std::string& thing) {
   Box<double> box = box_of(bound.slabs);
   double farthest = 0;
   for (int i = 0; i < 3; ++i) farthest = std::max({farthest, std::abs(box.low[i]), std::abs(box.high[i])});
-  const double more =
-      renderer_rounding * bound.errors.per_rounding + std::ldexp(joints > 1 ? joints : 0, -weight_bits) * bound.errors.per_weight;
+  const double more = renderer_rounding * bound.errors.per_rounding +
+                      std::ldexp(joints > 1 ? joints : 0, -weight_bits) * bound.errors.per_weight +
+                      bound.errors.of_lost_influences;
   box.grow(more);
   BoundedPart out = {rounded_outward(box), rounded_outward(Ball3<double>{bound.ball.center, bound.ball.radius + more})};
   const auto directions = slab_directions(static_cast<int>(2 * bound.slabs.size()));

@@ -82,6 +82,13 @@ Point3 image(const Eigen::Matrix4d& matrix, const Point3& v) {
   return matrix.topLeftCorner<3, 3>() * v + matrix.topRightCorner<3, 1>();
 }
 
+// The least-squares center is not moved from the prior in directions in which the rotations of so many joints differ little. Returns by
+// how much they differ there at most: the square root of the sum over pairs (rotation_center.hpp).
+double tolerance_of_center(std::size_t joints) {
+  const double pairs = static_cast<double>(joints * (joints - 1)) / 2;
+  return joints == 2 ? 1e-4 : 1e-4 + 2e-3 * std::sqrt(pairs);
+}
+
 // Returns the joint-set's transforms, with the signs that skinning gives them.
 std::vector<RigidTransform<double>> transforms_of(std::span<const int> joints, const Pose& pose) {
   std::vector<RigidTransform<double>> transforms;
@@ -114,26 +121,35 @@ MovingVertices::MovingVertices(const Model& model, const JointSets& sets, Skinni
   std::map<int, Set> by_index;
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const int index = sets.of_vertex(vertices_[i]);
-    Set& set = by_index.try_emplace(index, Set{index, {}, {}, {}, {}, -2}).first->second;
+    Set& set = by_index.try_emplace(index).first->second;
+    set.index = index;
     set.vertices.push_back(static_cast<int>(i));
-    const auto set_joints = sets.joints(index);
-    set.distances.resize(set_joints.size(), 0), set.reaches.resize(set_joints.size(), 0);
-    for (std::size_t k = 0; k < set_joints.size(); ++k) {
-      const BoundJoint& joint = skeleton.joints[set_joints[k]];
+    std::vector<std::pair<std::size_t, int>> moving;  // the joints that move the vertex, with their places in what is by joint
+    for (const int j : sets.joints(index)) moving.emplace_back(moving.size(), j);
+    const std::size_t kept = moving.size();
+    for (const LostInfluence& lost : lost_influences(model, vertices_[i])) {
+      const auto at = static_cast<std::size_t>(std::find(set.lost.begin(), set.lost.end(), lost.joint) - set.lost.begin());
+      if (at == set.lost.size()) set.lost.push_back(lost.joint), set.shares.push_back(0);
+      set.shares[at] = std::max(set.shares[at], lost.share);
+      moving.emplace_back(kept + at, lost.joint);
+    }
+    const std::size_t all = kept + set.lost.size();
+    set.distances.resize(all, 0), set.reaches.resize(all, 0);
+    for (Morph& morph : set.morphs) morph.lengths.resize(all, 0);
+    for (const auto& [k, j] : moving) {
+      const BoundJoint& joint = skeleton.joints[j];
       const ImageLength length = length_of_point(joint.offset, model.vertices[vertices_[i]]);
       set.reaches[k] = std::max(set.reaches[k], length.summed);
       set.distances[k] = std::max(set.distances[k], length.computed);
-      set.base = set.base == -2 ? joint.node : common_node(skeleton.nodes, set.base, joint.node);
+      if (k < kept) set.base = set.base == -2 ? joint.node : common_node(skeleton.nodes, set.base, joint.node);
     }
     if (displacements_.empty()) continue;
     for (const Displacement& d : displacements_[i]) {
       auto morph = std::find_if(set.morphs.begin(), set.morphs.end(),
                                 [&](const Morph& known) { return known.mesh == d.mesh && known.target == d.target; });
-      if (morph == set.morphs.end())
-        morph = set.morphs.insert(morph, {d.mesh, d.target, std::vector<double>(set_joints.size(), 0)});
-      for (std::size_t k = 0; k < set_joints.size(); ++k)
-        morph->lengths[k] =
-            std::max(morph->lengths[k], length_of_displacement(skeleton.joints[set_joints[k]].offset, d.by).computed);
+      if (morph == set.morphs.end()) morph = set.morphs.insert(morph, {d.mesh, d.target, std::vector<double>(all, 0)});
+      for (const auto& [k, j] : moving)
+        morph->lengths[k] = std::max(morph->lengths[k], length_of_displacement(skeleton.joints[j].offset, d.by).computed);
     }
   }
   for (auto& [index, set] : by_index) sets_.push_back(std::move(set));
@@ -159,7 +175,10 @@ Motion<double> MovingVertices::below(const Set& set, std::size_t k, const JointM
 
 std::vector<int> MovingVertices::joints() const {
   std::set<int> all;
-  for (const Set& set : sets_) all.insert(joint_sets_.joints(set.index).begin(), joint_sets_.joints(set.index).end());
+  for (const Set& set : sets_) {
+    all.insert(joint_sets_.joints(set.index).begin(), joint_sets_.joints(set.index).end());
+    all.insert(set.lost.begin(), set.lost.end());
+  }
   return {all.begin(), all.end()};
 }
 
@@ -313,8 +332,7 @@ bool MovingVertices::deviate(const Set& set, const JointCell& cell, Finite finit
   const auto joints = joint_sets_.joints(set.index);
   // Between the corners, two images come apart by at most twice the slack of one.
   const double pairs = static_cast<double>(joints.size() * (joints.size() - 1)) / 2, apart = 2 * chord * std::sqrt(pairs);
-  // The least-squares center is not moved from the prior in directions in which rotations differ little: by their tolerance.
-  const double tolerance = skinning_ != Skinning::spherical ? 0 : joints.size() == 2 ? 1e-4 : 1e-4 + 2e-3 * std::sqrt(pairs);
+  const double tolerance = skinning_ == Skinning::spherical ? tolerance_of_center(joints.size()) : 0;
   const Point3 prior = center_prior(model_, joints, skinning_);
   std::vector<double> shares;
   for (const int i : set.vertices)
@@ -341,15 +359,25 @@ double MovingVertices::relative_rounding(const Set& set, const JointCell& cell) 
   return error_per_link * links * std::numeric_limits<double>::epsilon() / 2 * cell.rounding;
 }
 
+double MovingVertices::farthest_image(const Set& set, std::size_t k, int joint, const JointCell& cell) const {
+  const JointMotions& motions = *cell.motions[0];  // sizes are the same in all parameters
+  return carried_motion(motions.chains[model_.skeleton.joints[joint].node], below(set, k, motions, set.reaches)).size;
+}
+
 double MovingVertices::farthest_image(const Set& set, const JointCell& cell) const {
   const auto joints = joint_sets_.joints(set.index);
-  const JointMotions& motions = *cell.motions[0];  // sizes are the same in all parameters
   double size = 0;
-  for (std::size_t k = 0; k < joints.size(); ++k) {
-    const int node = model_.skeleton.joints[joints[k]].node;
-    size = std::max(size, carried_motion(motions.chains[node], below(set, k, motions, set.reaches)).size);
-  }
+  for (std::size_t k = 0; k < joints.size(); ++k) size = std::max(size, farthest_image(set, k, joints[k], cell));
   return size;
+}
+
+// The others have the lost share together, too.
+double MovingVertices::error_of_lost_influences(const Set& set, const JointCell& cell, double image) const {
+  const std::size_t kept = joint_sets_.joints(set.index).size();
+  double error = 0;
+  for (std::size_t l = 0; l < set.lost.size(); ++l)
+    error += 2 * set.shares[l] * growth_of_weights(set, cell, std::max(image, farthest_image(set, kept + l, set.lost[l], cell)));
+  return error;
 }
 
 // A dual quaternion whose parts are q and d carries a vertex, seen from where it is before it is skinned, to the imaginary part of
@@ -357,22 +385,49 @@ double MovingVertices::farthest_image(const Set& set, const JointCell& cell) con
 // for their blend. Let weights change by e together, and their sum and the signs of quaternions stay. Then d changes by A e / 2 at most,
 // q by e, and q* / ||q||^2 by e / (||q|| ||q'||), where q' is the changed blend. That is A e (1 / ||q|| + 1 / (||q|| ||q'||)) in all. Here
 // ||q|| stands for ||q'||, which is less by e at most; rounding to multiples of 2^-24 makes an e of half a unit a joint, and a whole unit
-// is counted (model_bounds.cpp). The same is taken for blends about a rotation center without a proof. Among random rotations of three
-// joints and more there were some that exceed it, 1.4 times at most, which that half leaves room for.
-double MovingVertices::growth_of_weights(const Set& set, const JointCell& cell) const {
-  if (skinning_ == Skinning::linear || joint_sets_.joints(set.index).size() == 1) return 1;
+// is counted (model_bounds.cpp).
+double MovingVertices::growth_of_blend(const Set& set, const JointCell& cell) const {
   const double least = std::sqrt(std::max(squared_blend(set, rotations(set, cell)), squared_shortest_blend));
   return 1 / least + 1 / sq(least);
+}
+
+// Spherical blending carries v to Q u + sum w_k C_k c, where c is the rotation center, u = v - c, C_k is the k-th of n transforms, R_k its
+// rotation, and Q that of the blend q of the unit quaternions q_k. Let y be the mean of the R_k u, and d_k = R_k u - y. Then
+// q_k u = R_k u q_k, and so Q u = q u q^-1 is y plus the imaginary part of (sum w_k d_k q_k) q^-1, which changes as that of the dual
+// quaternions above does, with the greatest ||d_k|| in the place of A. Since C_k c = C_k v - R_k u, the vertex is
+// sum w_k C_k v + (Q u - y) - sum w_k d_k. So it changes by e (A + ||d|| (1 + g)) at most, where g is the growth above. Finally,
+// n sum ||d_k||^2 is the sum over pairs of ||(R_k - R_l) u||^2. The center makes that no more than the sum of ||C_k v - C_l v||^2, which is
+// n times a sum of n squares of at most A: C_k v - C_l v is (R_k - R_l) u plus C_k c - C_l c, and the latter is least squares' residual,
+// at right angles to all that moves c. In directions in which rotations hardly differ, c stays with the prior, and there
+// ||(R_k - R_l) u|| is at most the tolerance of that, times the distance from the prior.
+double MovingVertices::growth_of_weights(const Set& set, const JointCell& cell, double image) const {
+  const std::size_t joints = joint_sets_.joints(set.index).size();
+  if (skinning_ == Skinning::linear || joints + set.lost.size() == 1) return image;
+  const double growth = growth_of_blend(set, cell);
+  if (skinning_ == Skinning::dual_quaternion) return image * growth;
+  const double off_center = tolerance_of_center(joints) * farthest_from_prior(set, cell);
+  return image + (image * std::sqrt(static_cast<double>(joints)) + off_center) * (1 + growth);
+}
+
+double MovingVertices::farthest_from_prior(const Set& set, const JointCell& cell) const {
+  const Point3 prior = center_prior(model_, joint_sets_.joints(set.index), skinning_);
+  double distance = 0, moved = 0;
+  for (const int i : set.vertices) distance = std::max(distance, norm<double, 3>(model_.vertices[vertices_[i]] - prior));
+  // A joint's frame is as long as the reference pose, to within the tolerance for rigid joints.
+  for (const Morph& morph : set.morphs) moved += cell.motions[0]->weights[morph.mesh][morph.target].size * morph.lengths[0];
+  return distance + 2 * moved;
 }
 
 ErrorGrowth MovingVertices::error_growth(const JointCell& cell) const {
   const DefaultFloatEnvironment environment;
   ErrorGrowth out;
   for (const Set& set : sets_) {
-    const double image = farthest_image(set, cell), growth = growth_of_weights(set, cell);
+    const double image = farthest_image(set, cell);
+    const bool blends = skinning_ != Skinning::linear && joint_sets_.joints(set.index).size() > 1;
     // Without a blend of quaternions, or if they are all the same, an image is off by its own error.
-    out.per_rounding = std::max(out.per_rounding, image * std::max(growth / 2, 1.0));
-    out.per_weight = std::max(out.per_weight, image * growth);
+    out.per_rounding = std::max(out.per_rounding, image * (blends ? std::max(growth_of_blend(set, cell) / 2, 1.0) : 1));
+    out.per_weight = std::max(out.per_weight, growth_of_weights(set, cell, image));
+    out.of_lost_influences = std::max(out.of_lost_influences, error_of_lost_influences(set, cell, image));
   }
   return out;
 }

@@ -34,6 +34,8 @@ struct ErrorGrowth {
   double per_rounding = 0;
   // This is the same for each unit of the sum of the weights' absolute errors.
   double per_weight = 0;
+  // This is the error from the file's joints whose weights are rounded to 0 (LostInfluence), however far these carry the vertex.
+  double of_lost_influences = 0;
 };
 
 class MovingVertices {
@@ -44,7 +46,7 @@ class MovingVertices {
 
   const std::vector<int>& vertices() const { return vertices_; }
 
-  // Returns the joints of the model that move the vertices, in increasing order.
+  // Returns the joints of the model that move the vertices, in increasing order, and those of lost influences.
   std::vector<int> joints() const;
 
   // Computes the points that are followed, by position in vertices(), in the scene's frame and units of the file.
@@ -58,7 +60,7 @@ class MovingVertices {
   // Returns the greatest growth of errors in any vertex, at any moment of the cell.
   ErrorGrowth error_growth(const JointCell& cell) const;
 
-  // Returns the greatest number of joints of a vertex.
+  // Returns the greatest number of joints of a vertex, without those of lost influences.
   int most_joints() const;
 
   // Returns the greatest error of place() at any moment of the cell, because of rounding and of skin matrices that are not quite
@@ -73,12 +75,14 @@ class MovingVertices {
   };
   // A Set is the vertices that one joint-set moves.
   struct Set {
-    int index;
+    int index = 0;
     std::vector<int> vertices;      // positions in vertices_
+    std::vector<int> lost;          // joints of lost influences, which come after the joint-set's in all that is by joint
+    std::vector<double> shares;     // by position in lost: the greatest of a vertex
     std::vector<double> distances;  // by joint: of the vertices from the joint's origin, in its frame, at most
     std::vector<double> reaches;    // by joint: the same by what these are summed up from, for rounding
     std::vector<Morph> morphs;
-    int base;  // the deepest node that is above all joints' nodes, or one of them; -1 is the scene
+    int base = -2;  // the deepest node that is above all joints' nodes, or one of them; -1 is the scene
   };
 
   // Returns a vertex before it is skinned, displaced by the weights of a moment.
@@ -91,9 +95,18 @@ class MovingVertices {
   Motion<double> dual_motion(const Set& set, const JointMotions& motions, double squared_least) const;
   // Returns the rounding error of the computed rotations and images of the set's joints, relative to the sizes of their summands.
   double relative_rounding(const Set& set, const JointCell& cell) const;
+  // Returns the greatest distance from the scene's origin of an image of a vertex by the set's k-th joint, or by any of the joint-set's.
+  double farthest_image(const Set& set, std::size_t k, int joint, const JointCell& cell) const;
   double farthest_image(const Set& set, const JointCell& cell) const;
-  // Returns the factor by which the blend of a set enlarges an error of the weights.
-  double growth_of_weights(const Set& set, const JointCell& cell) const;
+  // image is the farthest one by joints of the joint-set.
+  double error_of_lost_influences(const Set& set, const JointCell& cell, double image) const;
+  // Returns the factor by which the blend of a set's quaternions enlarges an error of the weights.
+  double growth_of_blend(const Set& set, const JointCell& cell) const;
+  // Returns how far a vertex moves for each unit of the sum of the weights' absolute errors. image is the farthest one by the joints whose
+  // weights change.
+  double growth_of_weights(const Set& set, const JointCell& cell, double image) const;
+  // Returns how far the set's vertices are at most from the prior of their rotation center, in the reference pose.
+  double farthest_from_prior(const Set& set, const JointCell& cell) const;
   // These return the chords of linear blends and of dual quaternions, by parameter. Chords are infinite where the latter may
   // vanish.
   std::vector<double> linear_chords(const Set& set, const JointCell& cell) const;
