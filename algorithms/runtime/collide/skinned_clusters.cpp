@@ -12,7 +12,7 @@
 namespace refitlab {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float unlimited = std::numeric_limits<float>::infinity();  // a slack where floats do not hold a cluster
 
 // Returns four roundings of the greatest coordinate in a box.
 float roundings(const Box<float>& box) {
@@ -125,7 +125,7 @@ bool SkinnedClusters::can_skin_in_float(int n) {
   bool can = true;
   for (const FloatRun& run : tree_.floats().runs(n)) {
     make_float_palette(palette_packs_.part_of(run.joint_set));
-    can = can && float_palette_[run.joint_set].slack < infinity;
+    can = can && float_palette_[run.joint_set].slack < unlimited;
   }
   return can;
 }
@@ -152,8 +152,8 @@ void SkinnedClusters::skin_in_double(int n, FloatCluster& out) {
     }
     out.box.merge(x);
   }
-  out.slack = are_finite ? 2 * roundings(out.box) + float_above(float_placement_.lost + least_float_slack) : infinity;
-  if (out.slack < infinity) out.box.grow(out.slack);
+  out.slack = are_finite ? 2 * roundings(out.box) + float_above(float_placement_.lost + least_float_slack) : unlimited;
+  if (out.slack < unlimited) out.box.grow(out.slack);
   else out.box = Box<float>::everything();
 }
 
