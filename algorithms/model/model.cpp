@@ -24,9 +24,10 @@ Joints joints_of(const Model& model) try {
 
 std::span<const LostInfluence> lost_influences(const Model& model, int vertex) {
   const auto less = [](const auto& a, const auto& b) { return a.vertex < b.vertex; };
-  const auto [first, last] = std::equal_range(model.lost_influences.begin(), model.lost_influences.end(),
-                                              LostInfluence{.vertex = vertex, .joint = 0, .share = 0}, less);
-  return {first, last};
+  const std::span<const LostInfluence> all = model.lost_influences;
+  const auto [first, last] =
+      std::equal_range(all.begin(), all.end(), LostInfluence{.vertex = vertex, .joint = 0, .share = 0}, less);
+  return all.subspan(static_cast<std::size_t>(first - all.begin()), static_cast<std::size_t>(last - first));
 }
 
 MorphTargets morph_targets(const Model& model) {
