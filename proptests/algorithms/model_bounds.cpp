@@ -766,8 +766,7 @@ void check_both_signs() {
 void blends_of_rotations(Suite& t) {
   t.holds(
       "dual quaternions and spherical blends with the weights of the file, which are not rounded, put no vertex outside, however "
-      "short "
-      "the blend is",
+      "short the blend is",
       {.number_type = "double, long double",
        .cases = 300,
        .degenerate_at_most = 0.6,

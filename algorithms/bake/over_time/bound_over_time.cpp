@@ -300,12 +300,7 @@ BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const
   check_directions(options.directions);
   BoundOverTime out;
   for (const MovingJoints* of : joints)
-    for (const ParameterBox& box : of->boxes()) {
-      const ErrorGrowth growth = vertices.error_growth(of->cell(box));
-      out.errors.per_rounding = std::max(out.errors.per_rounding, growth.per_rounding);
-      out.errors.per_weight = std::max(out.errors.per_weight, growth.per_weight);
-      out.errors.of_lost_influences = std::max(out.errors.of_lost_influences, growth.of_lost_influences);
-    }
+    for (const ParameterBox& box : of->boxes()) out.errors.merge(vertices.error_growth(of->cell(box)));
   DirectionFunctions directions(options.directions, options.tolerance);
   Search slabs(joints, vertices, directions, options.most_halvings);
   slabs.run();

@@ -99,7 +99,8 @@ std::vector<Point3> directions_of_dop(int dop) {
 }
 
 // Widens a bound by what renderers lose, and by what a vertex is off because its weights are multiples of 2^-24 (quantize.hpp), each of
-// them off by less than that, and those that are rounded to 0 by themselves. Throws ModelError, with this thing of the file, if floats do not hold the bound.
+// them off by less than that, and those that are rounded to 0 by themselves. Throws ModelError, with this thing of the file, if floats do
+// not hold the bound.
 BoundedPart outward(const BoundOverTime& bound, int joints, double renderer_rounding, const std::string& file,
                     const std::string& thing) {
   Box<double> box = box_of(bound.slabs);

@@ -210,14 +210,16 @@ void MovingVertices::place(const PosedJoints& posed, Followed followed, std::vec
 
 CellSlack MovingVertices::slack(const JointCell& cell, Finite finite) const {
   const DefaultFloatEnvironment environment;
-  const auto blends = [&](const Set& set) { return skinning_ != Skinning::linear && joint_sets_.joints(set.index).size() > 1; };
+  const auto is_blended = [&](const Set& set) {
+    return skinning_ != Skinning::linear && joint_sets_.joints(set.index).size() > 1;
+  };
   CellSlack out{Followed::skinned, 0, std::vector<double>(cell.sides.size(), 0)};
   const auto raise = [&](const std::vector<double>& chords, double sum) {
     if (sum >= out.chord) out.chord = sum, out.chords = chords;
   };
   if (skinning_ != Skinning::spherical) {
     for (const Set& set : sets_) {
-      const std::vector<double> chords = blends(set) ? dual_chords(set, cell) : linear_chords(set, cell);
+      const std::vector<double> chords = is_blended(set) ? dual_chords(set, cell) : linear_chords(set, cell);
       raise(chords, sum_of(chords));
     }
     if (out.chord < unknown || finite == Finite::may_be) return out;
@@ -227,7 +229,7 @@ CellSlack MovingVertices::slack(const JointCell& cell, Finite finite) const {
     const std::vector<double> chords = linear_chords(set, cell);
     double sum = sum_of(chords);
     if (finite == Finite::must_be && !(sum < unknown)) sum = widest_chord(set, cell);
-    raise(chords, !blends(set) || deviate(set, cell, finite, sum, out.beyond) ? sum : unknown);
+    raise(chords, !is_blended(set) || deviate(set, cell, finite, sum, out.beyond) ? sum : unknown);
   }
   return out;
 }
@@ -359,6 +361,10 @@ double MovingVertices::relative_rounding(const Set& set, const JointCell& cell) 
   return error_per_link * links * std::numeric_limits<double>::epsilon() / 2 * cell.rounding;
 }
 
+bool MovingVertices::blends(const Set& set) const {
+  return skinning_ != Skinning::linear && joint_sets_.joints(set.index).size() + set.lost.size() > 1;
+}
+
 double MovingVertices::farthest_image(const Set& set, std::size_t k, int joint, const JointCell& cell) const {
   const JointMotions& motions = *cell.motions[0];  // sizes are the same in all parameters
   return carried_motion(motions.chains[model_.skeleton.joints[joint].node], below(set, k, motions, set.reaches)).size;
@@ -371,15 +377,6 @@ double MovingVertices::farthest_image(const Set& set, const JointCell& cell) con
   return size;
 }
 
-// The others have the lost share together, too.
-double MovingVertices::error_of_lost_influences(const Set& set, const JointCell& cell, double image) const {
-  const std::size_t kept = joint_sets_.joints(set.index).size();
-  double error = 0;
-  for (std::size_t l = 0; l < set.lost.size(); ++l)
-    error += 2 * set.shares[l] * growth_of_weights(set, cell, std::max(image, farthest_image(set, kept + l, set.lost[l], cell)));
-  return error;
-}
-
 // A dual quaternion whose parts are q and d carries a vertex, seen from where it is before it is skinned, to the imaginary part of
 // 2 d q* / ||q||^2. Let A be the greatest length of an image by one joint. Then ||d|| <= A / 2, for the joints' unit dual quaternions and so
 // for their blend. Let weights change by e together, and their sum and the signs of quaternions stay. Then d changes by A e / 2 at most,
@@ -387,6 +384,7 @@ double MovingVertices::error_of_lost_influences(const Set& set, const JointCell&
 // ||q|| stands for ||q'||, which is less by e at most; rounding to multiples of 2^-24 makes an e of half a unit a joint, and a whole unit
 // is counted (model_bounds.cpp).
 double MovingVertices::growth_of_blend(const Set& set, const JointCell& cell) const {
+  if (!blends(set)) return 1;
   const double least = std::sqrt(std::max(squared_blend(set, rotations(set, cell)), squared_shortest_blend));
   return 1 / least + 1 / sq(least);
 }
@@ -400,13 +398,24 @@ double MovingVertices::growth_of_blend(const Set& set, const JointCell& cell) co
 // n times a sum of n squares of at most A: C_k v - C_l v is (R_k - R_l) u plus C_k c - C_l c, and the latter is least squares' residual,
 // at right angles to all that moves c. In directions in which rotations hardly differ, c stays with the prior, and there
 // ||(R_k - R_l) u|| is at most the tolerance of that, times the distance from the prior.
-double MovingVertices::growth_of_weights(const Set& set, const JointCell& cell, double image) const {
-  const std::size_t joints = joint_sets_.joints(set.index).size();
-  if (skinning_ == Skinning::linear || joints + set.lost.size() == 1) return image;
-  const double growth = growth_of_blend(set, cell);
-  if (skinning_ == Skinning::dual_quaternion) return image * growth;
-  const double off_center = tolerance_of_center(joints) * farthest_from_prior(set, cell);
-  return image + (image * std::sqrt(static_cast<double>(joints)) + off_center) * (1 + growth);
+ErrorGrowth MovingVertices::error_growth(const Set& set, const JointCell& cell) const {
+  const std::size_t kept = joint_sets_.joints(set.index).size();
+  const double image = farthest_image(set, cell), growth = growth_of_blend(set, cell);
+  const bool is_about_center = skinning_ == Skinning::spherical && blends(set);
+  const double off_center = is_about_center ? tolerance_of_center(kept) * farthest_from_prior(set, cell) : 0;
+  // Returns how far a vertex moves for each unit of the sum of the errors of weights, of joints whose images are this far away.
+  const auto moved = [&](double size) {
+    if (!is_about_center) return size * growth;
+    return size + (size * std::sqrt(static_cast<double>(kept)) + off_center) * (1 + growth);
+  };
+  ErrorGrowth out;
+  // Without a blend of quaternions, or if they are all the same, an image is off by its own error.
+  out.per_rounding = image * std::max(growth / 2, 1.0);
+  out.per_weight = moved(image);
+  // The others have a lost share together, too.
+  for (std::size_t l = 0; l < set.lost.size(); ++l)
+    out.of_lost_influences += 2 * set.shares[l] * moved(std::max(image, farthest_image(set, kept + l, set.lost[l], cell)));
+  return out;
 }
 
 double MovingVertices::farthest_from_prior(const Set& set, const JointCell& cell) const {
@@ -421,14 +430,7 @@ double MovingVertices::farthest_from_prior(const Set& set, const JointCell& cell
 ErrorGrowth MovingVertices::error_growth(const JointCell& cell) const {
   const DefaultFloatEnvironment environment;
   ErrorGrowth out;
-  for (const Set& set : sets_) {
-    const double image = farthest_image(set, cell);
-    const bool blends = skinning_ != Skinning::linear && joint_sets_.joints(set.index).size() > 1;
-    // Without a blend of quaternions, or if they are all the same, an image is off by its own error.
-    out.per_rounding = std::max(out.per_rounding, image * (blends ? std::max(growth_of_blend(set, cell) / 2, 1.0) : 1));
-    out.per_weight = std::max(out.per_weight, growth_of_weights(set, cell, image));
-    out.of_lost_influences = std::max(out.of_lost_influences, error_of_lost_influences(set, cell, image));
-  }
+  for (const Set& set : sets_) out.merge(error_growth(set, cell));
   return out;
 }
 

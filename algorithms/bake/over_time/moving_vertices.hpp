@@ -3,6 +3,7 @@
 // interpolation of a cell's corners.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "algorithms/bake/over_time/moving_joints.hpp"
@@ -36,6 +37,13 @@ struct ErrorGrowth {
   double per_weight = 0;
   // This is the error from the file's joints whose weights are rounded to 0 (LostInfluence), however far these carry the vertex.
   double of_lost_influences = 0;
+
+  // Raises each to the other's, if that is greater.
+  void merge(const ErrorGrowth& other) {
+    per_rounding = std::max(per_rounding, other.per_rounding);
+    per_weight = std::max(per_weight, other.per_weight);
+    of_lost_influences = std::max(of_lost_influences, other.of_lost_influences);
+  }
 };
 
 class MovingVertices {
@@ -98,13 +106,12 @@ class MovingVertices {
   // Returns the greatest distance from the scene's origin of an image of a vertex by the set's k-th joint, or by any of the joint-set's.
   double farthest_image(const Set& set, std::size_t k, int joint, const JointCell& cell) const;
   double farthest_image(const Set& set, const JointCell& cell) const;
-  // image is the farthest one by joints of the joint-set.
-  double error_of_lost_influences(const Set& set, const JointCell& cell, double image) const;
-  // Returns the factor by which the blend of a set's quaternions enlarges an error of the weights.
+  // Returns whether quaternions of several joints are blended, those of lost influences included.
+  bool blends(const Set& set) const;
+  // Returns the factor by which the blend of a set's quaternions, if there is one, enlarges an error of the weights.
   double growth_of_blend(const Set& set, const JointCell& cell) const;
-  // Returns how far a vertex moves for each unit of the sum of the weights' absolute errors. image is the farthest one by the joints whose
-  // weights change.
-  double growth_of_weights(const Set& set, const JointCell& cell, double image) const;
+  // Returns the greatest growth of errors in any vertex of the set.
+  ErrorGrowth error_growth(const Set& set, const JointCell& cell) const;
   // Returns how far the set's vertices are at most from the prior of their rotation center, in the reference pose.
   double farthest_from_prior(const Set& set, const JointCell& cell) const;
   // These return the chords of linear blends and of dual quaternions, by parameter. Chords are infinite where the latter may
