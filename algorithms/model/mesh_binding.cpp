@@ -20,24 +20,49 @@ bool can_place(const Eigen::Matrix4d& map) {
   return stretches[2] > least_stretch * stretches[0];
 }
 
-// Returns the corners of the box of a primitive. Two placements that agree there agree on the whole primitive.
-std::vector<Eigen::Vector4d> box_corners(const ScenePrimitive& primitive) {
-  Eigen::Vector3d low = primitive.positions[0], high = low;
-  for (const Eigen::Vector3d& p : primitive.positions) {
+using Corners = std::vector<Eigen::Vector4d>;
+
+// Returns the corners of the box of these points, or of these displacements if w is 0. Two maps that agree there agree on all of them.
+Corners box_corners(const std::vector<Eigen::Vector3d>& points, double w) {
+  Eigen::Vector3d low = points[0], high = low;
+  for (const Eigen::Vector3d& p : points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  std::vector<Eigen::Vector4d> corners;
+  Corners corners;
   for (int c = 0; c < 8; ++c)
-    corners.emplace_back(c & 1 ? high[0] : low[0], c & 2 ? high[1] : low[1], c & 4 ? high[2] : low[2], 1);
+    corners.emplace_back(c & 1 ? high[0] : low[0], c & 2 ? high[1] : low[1], c & 4 ? high[2] : low[2], w);
   return corners;
 }
 
+// Where the vertices of a primitive are, and by what its morph targets move them.
+struct Extent {
+  Corners box;
+  std::vector<Corners> displacements;  // by target
+};
+Extent extent_of(const ScenePrimitive& primitive) {
+  Extent out{box_corners(primitive.positions, 1), {}};
+  for (const auto& target : primitive.targets) out.displacements.push_back(box_corners(target, 0));
+  return out;
+}
+
+double farthest_apart(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b, const Corners& corners) {
+  double out = 0;
+  for (const auto& corner : corners) out = std::max(out, ((a - b) * corner).head<3>().norm());
+  return out;
+}
+
 // a and b take the box to the same place, within `tolerance` of its diagonal.
-bool agree(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b, const std::vector<Eigen::Vector4d>& box, double tolerance) {
-  double apart = 0;
-  for (const auto& corner : box) apart = std::max(apart, ((a - b) * corner).norm());
-  return apart <= tolerance * (a * (box[7] - box[0])).norm();
+bool agree(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b, const Corners& box, double tolerance) {
+  return farthest_apart(a, b, box) <= tolerance * (a * (box[7] - box[0])).head<3>().norm();
+}
+
+// a and b do the same to the vertices, wherever morph targets move them: a flat mesh may be moved out of its plane.
+bool agree(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b, const Extent& extent, double tolerance) {
+  return agree(a, b, extent.box, tolerance) &&
+         std::all_of(extent.displacements.begin(), extent.displacements.end(), [&](const Corners& moved) {
+           return farthest_apart(a, b, moved) <= tolerance * farthest_apart(a, Eigen::Matrix4d::Zero(), moved);
+         });
 }
 
 constexpr double same_joint_tolerance = 1e-12;  // rounding of double: a joint stands for another one only if it does the same
@@ -53,16 +78,16 @@ class Binder {
   BoundPrimitive bind(int shown, int primitive) {
     const ShownMesh& use = scene_.shown[shown];
     BoundPrimitive bound{shown, primitive, Eigen::Matrix4d::Identity(), {}};
-    const auto box = box_corners(scene_.meshes[use.mesh].primitives[primitive]);
-    if (use.skin < 0) bind_to_node(use.node, box, bound);
-    else bind_to_skin(scene_.skins[use.skin], box, bound);
+    const Extent extent = extent_of(scene_.meshes[use.mesh].primitives[primitive]);
+    if (use.skin < 0) bind_to_node(use.node, extent, bound);
+    else bind_to_skin(scene_.skins[use.skin], extent, bound);
     return bound;
   }
 
   std::vector<BoundJoint> joints_;
 
  private:
-  void bind_to_skin(const SceneSkin& skin, const std::vector<Eigen::Vector4d>& box, BoundPrimitive& bound) {
+  void bind_to_skin(const SceneSkin& skin, const Extent& extent, BoundPrimitive& bound) {
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
       const Eigen::Matrix4d& offset = skin.offsets[j];
       const std::string thing = "bone '" + scene_.nodes[skin.joints[j]].name + "'";
@@ -71,18 +96,23 @@ class Binder {
       if ((offset.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm() > affine_tolerance)
         throw ModelError(scene_.file, thing, "its offset matrix is not affine");
     }
-    if (!joints_.empty()) bound.placement = placement(skin.joints, skin.offsets, box);
+    if (!joints_.empty()) bound.placement = placement(skin.joints, skin.offsets, extent.box);
     const Eigen::Matrix4d back = bound.placement.inverse();
     for (std::size_t j = 0; j < skin.joints.size(); ++j)
-      bound.joints.push_back(joint(skin.joints[j], skin.offsets[j], skin.offsets[j] * back, bound.placement, box));
+      bound.joints.push_back(joint(skin.joints[j], skin.offsets[j], skin.offsets[j] * back, bound.placement, extent));
   }
 
-  void bind_to_node(int node, const std::vector<Eigen::Vector4d>& box, BoundPrimitive& bound) {
+  void bind_to_node(int node, const Extent& extent, BoundPrimitive& bound) {
     const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      if (joints_[j].node == node && made_[j].own == identity) {  // of the mesh's primitives, or as a skin has it
+        bound.placement = made_[j].placement, bound.joints = {static_cast<int>(j)};
+        return;
+      }
     bound.placement = rest_frame(node);
     // A node that is hidden by a scale of 0 carries its mesh in its own frame.
     if (!can_place(bound.placement)) bound.placement = identity;
-    bound.joints = {joint(node, identity, bound.placement.inverse(), bound.placement, box)};
+    bound.joints = {joint(node, identity, bound.placement.inverse(), bound.placement, extent)};
   }
 
   int joint_of_node(int node) const {
@@ -101,7 +131,7 @@ class Binder {
 
   // Returns the map from the mesh's frame to the reference pose, by a bone that another mesh has used, or else by its first bone.
   Eigen::Matrix4d placement(const std::vector<int>& nodes, const std::vector<Eigen::Matrix4d>& offsets,
-                            const std::vector<Eigen::Vector4d>& box) const {
+                            const Corners& box) const {
     std::size_t b = 0;
     while (b < nodes.size() && joint_of_node(nodes[b]) < 0) ++b;
     const double tolerance = b < nodes.size() ? same_frame_tolerance : same_frame_tolerance_alone;
@@ -113,17 +143,25 @@ class Binder {
   }
 
   // Returns the joint of a node whose offset, after the mesh's placement, does what `own` does to the mesh. Makes it if there is
-  // none.
+  // none. Where one was made of the same matrices, it is the same in any unit.
   int joint(int node, const Eigen::Matrix4d& own, const Eigen::Matrix4d& offset, const Eigen::Matrix4d& placement,
-            const std::vector<Eigen::Vector4d>& box) {
+            const Extent& extent) {
     for (std::size_t j = 0; j < joints_.size(); ++j)
-      if (joints_[j].node == node && agree(own, joints_[j].offset * placement, box, same_joint_tolerance))
+      if (joints_[j].node == node && ((made_[j].own == own && made_[j].placement == placement) ||
+                                      agree(own, joints_[j].offset * placement, extent, same_joint_tolerance)))
         return static_cast<int>(j);
     joints_.push_back({scene_.nodes[node].name, node, -1, offset});
+    made_.push_back({own, placement});
     return static_cast<int>(joints_.size()) - 1;
   }
 
+  // What a joint was made of: the offset that the file has, and the placement of the mesh.
+  struct Made {
+    Eigen::Matrix4d own, placement;
+  };
+
   const Scene& scene_;
+  std::vector<Made> made_;  // by joint
   std::vector<Eigen::Matrix4d> globals_;
 };
 
@@ -174,11 +212,14 @@ BoundScene bind_meshes(const Scene& scene) {
         out.primitives.push_back({static_cast<int>(s), static_cast<int>(p), Eigen::Matrix4d::Identity(), {}});
   }
   const auto is_skinned = [&](const BoundPrimitive& bound) { return scene.shown[bound.shown].skin >= 0; };
-  if (std::none_of(out.primitives.begin(), out.primitives.end(), is_skinned))
+  if (std::none_of(out.primitives.begin(), out.primitives.end(), is_skinned)) {
+    const bool shows_skin =
+        std::any_of(scene.shown.begin(), scene.shown.end(), [](const ShownMesh& use) { return use.skin >= 0; });
     throw ModelError(scene.file, "file",
-                     std::any_of(scene.shown.begin(), scene.shown.end(), [](const ShownMesh& use) { return use.skin >= 0; })
-                         ? "no triangle: of the meshes that have bones, none has triangles"
-                         : "no skin: no mesh has bones");
+                     shows_skin            ? "no triangle: of the meshes that have bones, none has triangles"
+                     : scene.skins.empty() ? "no skin: no mesh has bones"
+                                           : "no skin: the scene shows no mesh with bones, though the file has skins");
+  }
 
   Binder binder(scene);
   for (const bool skinned_first : {true, false})

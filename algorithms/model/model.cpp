@@ -11,6 +11,14 @@ namespace {
 
 constexpr int moments_looked_at = 16;
 
+// Of a list by vertex in increasing order.
+template <class T>
+std::span<const T> part_of_vertex(std::span<const T> all, int vertex) {
+  const auto first = std::lower_bound(all.begin(), all.end(), vertex, [](const T& one, int v) { return one.vertex < v; });
+  const auto last = std::upper_bound(first, all.end(), vertex, [](int v, const T& one) { return v < one.vertex; });
+  return all.subspan(static_cast<std::size_t>(first - all.begin()), static_cast<std::size_t>(last - first));
+}
+
 }  // namespace
 
 Joints joints_of(const Model& model) try {
@@ -23,11 +31,10 @@ Joints joints_of(const Model& model) try {
 }
 
 std::span<const LostInfluence> lost_influences(const Model& model, int vertex) {
-  const auto less = [](const auto& a, const auto& b) { return a.vertex < b.vertex; };
-  const std::span<const LostInfluence> all = model.lost_influences;
-  const auto [first, last] =
-      std::equal_range(all.begin(), all.end(), LostInfluence{.vertex = vertex, .joint = 0, .share = 0}, less);
-  return all.subspan(static_cast<std::size_t>(first - all.begin()), static_cast<std::size_t>(last - first));
+  return part_of_vertex<LostInfluence>(model.lost_influences, vertex);
+}
+std::span<const PlacedVertex> placed_vertices(const Model& model, int vertex) {
+  return part_of_vertex<PlacedVertex>(model.placed_vertices, vertex);
 }
 
 MorphTargets morph_targets(const Model& model) {

@@ -48,6 +48,12 @@ struct LostInfluence {
   double share;  // of the sum of the vertex's weights, in (0, 2^-24)
 };
 
+// A PlacedVertex is one that a file has in another frame than the model's reference pose. A renderer of the file begins with the
+// file's coordinates, and rounds what these are.
+struct PlacedVertex {
+  int vertex, placement;  // the vertex of the file is moved by Model::placements[placement]
+};
+
 struct Model : SkinnedMesh {
   std::vector<Clip> clips = {};
   // This says how far the skin matrices M of a file are from rotations, after its scale s is taken out. It is the largest
@@ -62,6 +68,8 @@ struct Model : SkinnedMesh {
   // Models loaded with Morphs::moving have these. Their vertices are those of weights 0.
   std::vector<MorphedMesh> morphs = {};
   std::vector<LostInfluence> lost_influences = {};  // of files, by vertex and joint in increasing order
+  std::vector<Eigen::Matrix4d> placements = {};     // from the frames of a file's meshes to the reference pose
+  std::vector<PlacedVertex> placed_vertices = {};   // by vertex and placement in increasing order
   // The notes say, in sentences for the user, what of the file is missing in the model or different.
   std::vector<std::string> notes = {};
 };
@@ -70,8 +78,9 @@ struct Model : SkinnedMesh {
 // taken as they rest.
 Joints joints_of(const Model& model);
 
-// Returns the lost influences of a vertex.
+// Each returns those of a vertex.
 std::span<const LostInfluence> lost_influences(const Model& model, int vertex);
+std::span<const PlacedVertex> placed_vertices(const Model& model, int vertex);
 
 // Returns all targets of all morphed meshes, those of the first mesh first.
 MorphTargets morph_targets(const Model& model);

@@ -47,10 +47,29 @@ class Skin {
       model_.notes.push_back(primitive.label + ": the weights of " + std::to_string(off_sums_) +
                              " vertices do not sum to 1 but are off by up to " + std::to_string(farthest_sum_) +
                              "; they are divided by their sums");
+    if (!bound.placement.isIdentity(0)) place(bound.placement, source.vertices);
     model_.sources.push_back(std::move(source));
   }
 
+  // After all primitives.
+  void finish() {
+    auto& placed = model_.placed_vertices;
+    const auto key = [](const PlacedVertex& v) { return std::pair(v.vertex, v.placement); };
+    std::sort(placed.begin(), placed.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    placed.erase(std::unique(placed.begin(), placed.end(), [&](const auto& a, const auto& b) { return key(a) == key(b); }),
+                 placed.end());
+  }
+
  private:
+  void place(const Eigen::Matrix4d& placement, const std::vector<int>& vertices) {
+    auto& placements = model_.placements;
+    const auto found = std::find(placements.begin(), placements.end(), placement);
+    const int index = static_cast<int>(found - placements.begin());
+    if (found == placements.end()) placements.push_back(placement);
+    for (const int v : vertices)
+      if (v >= 0) model_.placed_vertices.push_back({v, index});
+  }
+
   // Returns the index of the node's mesh in model.morphs, and makes room for its targets.
   int morphed_mesh(const ShownMesh& use) {
     auto& meshes = model_.morphs;
@@ -111,19 +130,11 @@ class Skin {
           model_.morphs[morphed].targets[t].displacements.emplace_back(found->second, by);
       model_.vertices.push_back(rest);
       auto& influences = model_.influences.emplace_back();
-      for (const auto& [joint, weight] : quantize_weights(weights)) influences.push_back({joint, weight});
-      add_lost_influences(found->second, weights, sum);
+      Weights lost;
+      for (const auto& [joint, weight] : quantize_weights(weights, &lost)) influences.push_back({joint, weight});
+      for (const auto& [joint, share] : lost) model_.lost_influences.push_back({found->second, joint, share});
     }
     return found->second;
-  }
-
-  // sum is that of the weights, which are of a new vertex.
-  void add_lost_influences(int vertex, const Weights& weights, double sum) {
-    std::map<int, double> lost;
-    for (const auto& [joint, weight] : weights)
-      if (weight > 0) lost[joint] += weight;
-    for (const Influence& kept : model_.influences[static_cast<std::size_t>(vertex)]) lost.erase(kept.joint);
-    for (const auto& [joint, weight] : lost) model_.lost_influences.push_back({vertex, joint, weight / sum});
   }
 
   static constexpr double usual_sum_error = 1e-3;  // of weights with few digits
@@ -230,6 +241,7 @@ Model model_of_scene(const Scene& scene, const LoadOptions& options) {
   model.joints = rest_joints(model.skeleton);
   Skin skin(scene, options.morphs, model);
   for (const BoundPrimitive& primitive : primitives) skin.add(primitive);
+  skin.finish();
   add_repeated_sources(scene, bound, model);
   model.notes.insert(model.notes.begin(), scene.notes.begin(), scene.notes.end());
   note_what_has_no_triangle(scene, model);

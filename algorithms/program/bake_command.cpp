@@ -94,6 +94,7 @@ BakeCall parse(const po::variables_map& map) {
     *tolerance = map[name].as<double>();
     if (!(*tolerance > 0 && *tolerance <= 1)) throw UsageError("--" + std::string(name) + " takes a number above 0, and up to 1");
   }
+  if (call.out.empty()) throw UsageError("OUT.glb takes a file");
   check_written({{"IN.glb", call.in}, {"OUT.glb", call.out}}, files_of(map, {"json", "report", "certificate"}));
   return call;
 }

@@ -63,7 +63,7 @@ std::string printable(const std::string& text) {
 }
 
 void print_notes(const std::string& file, const std::vector<std::string>& notes, std::ostream& to) {
-  for (const std::string& note : notes) to << "note: " << file << ": " << printable(note) << '\n';
+  for (const std::string& note : notes) to << "note: " << printable(file) << ": " << printable(note) << '\n';
 }
 
 std::vector<NamedFile> files_of(const boost::program_options::variables_map& map, const std::vector<std::string>& options) {

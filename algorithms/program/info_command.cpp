@@ -39,7 +39,7 @@ int run_info(const std::vector<std::string>& arguments, std::ostream& out, std::
   const JointSets sets(model);
   std::size_t most = 0;
   for (const auto& influences : model.influences) most = std::max(most, influences.size());
-  out << file << '\n'
+  out << printable(file) << '\n'
       << "  triangles     " << model.triangles.size() << '\n'
       << "  vertices      " << model.vertices.size() << ", of different positions and weights\n"
       << "  joints        " << model.joints.size() << '\n'

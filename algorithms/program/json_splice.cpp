@@ -99,7 +99,7 @@ std::string text_of(const JsonPath& path, std::size_t steps) {
 std::string with_member(const std::string& text, const JsonPath& path, const std::string& name, const std::string& value) {
   JsonPath whole = path;
   whole.push_back(name);
-  std::size_t at = Scanner(text).at();
+  std::size_t at = Scanner(text, text.starts_with("\xEF\xBB\xBF") ? 3 : 0).at();  // behind a byte order mark
   for (std::size_t i = 0; i < whole.size(); ++i) {
     if (std::holds_alternative<std::size_t>(whole[i])) {
       at = find_element(Scanner(text, at), std::get<std::size_t>(whole[i]));

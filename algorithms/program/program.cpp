@@ -2,6 +2,7 @@
 #include "algorithms/program/program.hpp"
 
 #include <ostream>
+#include <sstream>
 
 #include "algorithms/program/command.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
@@ -20,6 +21,14 @@ void describe(std::ostream& out) {
          "exit codes: 0 all is well; 1 a check found an error; 2 the call is wrong; 3 a file cannot be used\n";
 }
 
+// Line by line: what a message quotes of a file may not steer a terminal.
+std::string shown(const std::exception& error) {
+  std::istringstream lines(error.what());
+  std::string out;
+  for (std::string line; std::getline(lines, line);) out += (out.empty() ? "" : "\n") + printable(line);
+  return out;
+}
+
 }  // namespace
 
 int run_program(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& errors) {
@@ -31,15 +40,15 @@ int run_program(const std::vector<std::string>& arguments, std::ostream& out, st
     try {
       return command->run({arguments.begin() + 1, arguments.end()}, out, errors);
     } catch (const UsageError& e) {
-      errors << "refitlab " << command->name << ": " << e.what() << "\nrefitlab " << command->name
+      errors << "refitlab " << command->name << ": " << shown(e) << "\nrefitlab " << command->name
              << " --help says what it takes.\n";
       return exit_usage;
     } catch (const std::exception& e) {
-      errors << "refitlab " << command->name << ": " << e.what() << '\n';
+      errors << "refitlab " << command->name << ": " << shown(e) << '\n';
       return exit_refused;
     }
   }
-  errors << "refitlab: there is no command " << arguments[0] << "; refitlab --help lists them.\n";
+  errors << "refitlab: there is no command " << printable(arguments[0]) << "; refitlab --help lists them.\n";
   return exit_usage;
 }
 

@@ -52,9 +52,123 @@ long failed_queries(const ClusterTree& tree, Skinning skinning, const Pose& pose
   }
 }
 
+// A flat sheet of squares: floats and packs of doubles leave most pairs of two such sheets in one plane to the exact test.
+SkinnedMesh sheet(int squares) {
+  SkinnedMesh mesh;
+  mesh.name = "sheet";
+  mesh.joints = {{"first", -1, {0, 0, 0}}, {"second", 0, {0, 0, 0}}};
+  for (int y = 0; y <= squares; ++y)
+    for (int x = 0; x <= squares; ++x) {
+      mesh.vertices.emplace_back(x / 4.0, y / 4.0, 0);
+      if (x % 2) mesh.influences.push_back({{0, 0.5}, {1, 0.5}});
+      else mesh.influences.push_back({{0, 1.0}});
+    }
+  for (int y = 0; y < squares; ++y)
+    for (int x = 0; x < squares; ++x) {
+      const int v = y * (squares + 1) + x;
+      mesh.triangles.push_back({v, v + 1, v + squares + 2}), mesh.triangles.push_back({v, v + squares + 2, v + squares + 1});
+    }
+  mesh.targets.count = 1;
+  mesh.targets.of_vertex.assign(mesh.vertices.size(), {{0, {0, 0, 1}}});
+  return mesh;
+}
+
+std::vector<TrianglePair> sorted_pairs(ClusterBody& a, ClusterBody& b) {
+  QueryCounts counts;
+  std::vector<TrianglePair> found = collide(a, b, Query::full, counts);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+// After a query that runs out of memory at any allocation, the body is asked in another frame, against another body.
+Checked check_next_frame() {
+  const Character large = bake(sheet(3)), small = bake(sheet(1));
+  const ClusterTree of_large(large, {.most_triangles = 8, .most_children = 4}), of_small(small);
+  const Pose still(2);
+  long failed = 0;
+  for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
+    ClusterBody fresh(of_large, skinning), other(of_small, skinning);
+    fresh.begin(still, {}), other.begin(still, {});
+    const std::vector<TrianglePair> expected = sorted_pairs(fresh, other);
+    // The exact test takes many thousands, of which some are tried.
+    for (long after = 0;; after = after < 70 ? after + 1 : after * 5 / 4) {
+      ClusterBody a(of_large, skinning), b(of_large, skinning);
+      a.begin(still, {}), b.begin(still, {});
+      QueryCounts counts;
+      try {
+        const oracle::FailingAllocation failing(after);
+        collide(a, b, Query::full, counts);
+        break;
+      } catch (const std::bad_alloc&) {
+        ++failed;
+      }
+      a.begin(still, {});
+      if (sorted_pairs(a, other) != expected || expected.empty()) return Checked(false, failed);
+    }
+  }
+  return Checked(failed > 3 * 70, failed);
+}
+
+// A frame of rigid or affine joints, which are this high, with a morph target or without.
+struct Frame {
+  bool is_affine, has_weight;
+  double height;
+
+  void begin(ClusterBody& body, const RigidTransform<double>& placement) const {
+    const Pose rigid(2, {identity_quaternion<double>(), {0, 0, height}});
+    AffinePose affine(2, identity_map<double>());
+    for (auto& joint : affine) joint.offset = {0, 0, height};
+    const std::vector<double> weights = {1.0 / 256};
+    if (is_affine) body.begin(affine, placement, has_weight ? weights : std::vector<double>{});
+    else body.begin(rigid, placement, has_weight ? Deformation{weights, {}} : Deformation{});
+  }
+};
+
+// A body whose next frame cannot begin for want of memory is in none, or still in the one before; and the next one may begin then.
+Checked check_frames_that_fail() {
+  const Character c = bake(sheet(3));
+  const ClusterTree tree(c, {.most_triangles = 2, .most_children = 2});
+  const RigidTransform<double> away{identity_quaternion<double>(), {50, 0, 0}};
+  long failed = 0, in_none = 0;
+  for (const Skinning skinning : {Skinning::linear, Skinning::spherical})
+    for (int kinds = 0; kinds < 16; ++kinds) {
+      const bool has_weight = kinds & 1;
+      const Frame before{(kinds & 2) != 0, has_weight, has_weight ? -1.0 / 256 : 0}, next{(kinds & 4) != 0, (kinds & 8) != 0, 7};
+      ClusterBody b(tree, skinning);
+      b.begin(Pose(2), {});
+      for (long after = 0;; ++after) {
+        ClusterBody a(tree, skinning);
+        before.begin(a, {});
+        const std::vector<TrianglePair> expected = sorted_pairs(a, b);
+        before.begin(a, {});
+        try {
+          const oracle::FailingAllocation failing(after);
+          next.begin(a, away);
+          break;
+        } catch (const std::bad_alloc&) {
+          ++failed;
+        }
+        try {
+          if (sorted_pairs(a, b) != expected || expected.empty()) return Checked(false, failed, "another frame's pairs");
+        } catch (const std::logic_error&) {
+          ++in_none;
+        }
+        next.begin(a, away);
+        if (!sorted_pairs(a, b).empty()) return Checked(false, failed, "pairs of bodies that are apart");
+        before.begin(a, {});
+        if (sorted_pairs(a, b) != expected) return Checked(false, failed, "not the pairs of the frame that is begun again");
+      }
+    }
+  return Checked(failed > 200 && in_none > 0, failed, std::to_string(in_none) + " in no frame");
+}
+
 }  // namespace
 
 PROPTEST(allocations) {
+  if (oracle::allocations_can_fail) {
+    t.example("after a query that runs out of memory, another frame has the pairs of its own bodies alone", {}, check_next_frame);
+    t.example("a body is in no wrong frame after one that runs out of memory", {}, check_frames_that_fail);
+  }
   if (oracle::allocations_can_fail)
     t.example("a query that runs out of memory at any allocation finds all pairs when it is asked again in the frame", {}, [] {
       const auto c = bake(gen::make_mesh({gen::MeshKind::many_influences, 6, 6, 4, 2006}));

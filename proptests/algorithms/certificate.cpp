@@ -687,7 +687,7 @@ void nodes_have_accepted_certificates(Suite& t) {
   t.holds(
       "nodes of random meshes have certificates by every sound variant, and all are accepted that are not refused for a size the "
       "writer tells",
-      {.number_type = "double against rational", .cases = 12, .degenerate_at_least = 0.3}, [] {
+      {.number_type = "double against rational", .cases = 9, .degenerate_at_least = 0.3}, [] {
         const auto plan = *gen::mesh_plan();
         RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
         const auto c = bake(gen::make_mesh(plan));
@@ -843,7 +843,7 @@ void whatever_is_changed_or_forged(Suite& t) {
       RC_ASSERT(lines[i].is_rejected() || (lines[i].is_accepted() && !is_false(documents[i])));
   });
   t.holds("no bound proves a ball a little too small, whatever else is forged",
-          {.cases = 40, .tags_at_least = {{"25 forgeries", 0.8}}}, [] {
+          {.cases = 25, .tags_at_least = {{"25 forgeries", 0.8}}}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             CheckedFolder folder;
             Forger forger(random);

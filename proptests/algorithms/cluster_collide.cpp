@@ -669,6 +669,7 @@ void what_is_refused(Suite& t) {
                 a.begin(still, {});
                 ok = ok && is_refused([&] { collide(a, b, Query::full, counts); });
                 b.begin(still, {});
+                ok = ok && gen::refuses<std::invalid_argument>([&] { collide(a, a, Query::full, counts); });
                 PairMemory memory;
                 const auto count = static_cast<int>(c.mesh.triangles.size());
                 for (const TrianglePair& pair : {TrianglePair{count, 0}, {0, count}, {-1, 0}, {0, 1 << 30}})

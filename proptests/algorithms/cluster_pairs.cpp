@@ -298,7 +298,7 @@ PROPTEST(cluster_pairs) {
   pairs_are_those_of_all_triangles(t);
   more_open_pairs_than_a_batch(t);
   t.holds("on every target the filter never contradicts exact arithmetic on vertices within the slack of its floats",
-          {.number_type = "rational", .cases = 200, .tags_at_least = {{"decided", 0.2}, {"unknown", 0.1}}}, [] {
+          {.number_type = "rational", .cases = 120, .tags_at_least = {{"decided", 0.2}, {"unknown", 0.1}}}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             std::uniform_real_distribution<double> u(-1, 1);
             const double unit = *rc::gen::element(1.0, 1.0, 1.0, 1e-8, 1e-10, 1e-12, 1e-20, 1e11, 1e12, 1e20),

@@ -76,6 +76,7 @@ PROPTEST(json_splice) {
             const std::string name = drawn_text(), value = drawn_value(2).dump();
             std::string text = root.dump(*rc::gen::inRange(-1, 3));
             if (*rc::gen::arbitrary<bool>()) text = " \n" + text + "\t ";
+            if (*rc::gen::inRange(0, 4) == 0) text = "\xEF\xBB\xBF" + text;  // a byte order mark
             const std::string after = with_member(text, path, name, value);
             RC_CLASSIFY(path.empty(), "degenerate");
 

@@ -14,16 +14,15 @@
 #include "algorithms/bake/over_time/half_turns.hpp"
 #include "algorithms/model/keyed.hpp"
 #include "algorithms/model/load.hpp"
+#include "algorithms/model/model_of_scene.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
-#include "algorithms/runtime/skinning/blend.hpp"
-#include "algorithms/runtime/skinning/rotation_center.hpp"
-#include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/model_of_nodes.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
+#include "proptests/oracles/reweighted_vertex.hpp"
 
 namespace proptests::suite_model_bounds {
 namespace {
@@ -575,19 +574,15 @@ Point3 blended_exactly(const Turns& turns, const std::vector<Point3>& places, co
   return ((Exact(carried) * Exact(blend).conjugate()).vec() / blend.squaredNorm()).cast<double>();
 }
 
-// The same spherically, of the joints of the model's first vertex, in double.
+// The same spherically, of the model's first vertex, in double.
 Point3 blended_spherically(const Model& model, const Turns& turns, const std::vector<Point3>& places,
-                           const std::vector<double>& weights, const Point3& v) {
-  OwnedPaletteEntry<double> palette;
+                           const std::vector<double>& weights) {
+  Pose transforms;
   for (std::size_t j = 0; j < turns.size(); ++j) {
     const Eigen::Quaterniond q = turns[j].normalized();
-    palette.transforms.push_back({{q.w(), q.x(), q.y(), q.z()}, places[j]});
+    transforms.push_back({{q.w(), q.x(), q.y(), q.z()}, places[j]});
   }
-  make_signs_consistent<double>(palette.transforms);
-  const JointSets sets(model);
-  const Point3 prior = center_prior(model, sets.joints(sets.of_vertex(0)), Skinning::spherical);
-  place_rotation_center(palette, rotation_center<double>(palette.transforms, prior));
-  return blend<double>(Skinning::spherical, palette, weights, v);
+  return oracle::reweighted_vertex(model, Skinning::spherical, transforms, weights);
 }
 
 // Weights of a base joint and of others that share the rest nearly equally: those of even and of odd joints are rounded the other way.
@@ -647,7 +642,7 @@ void check_unrounded_weights() {
                                                .cluster_triangles = 0,
                                                .renderer_rounding = renderer_rounding});
   const auto blended = [&](const Turns& moment, const std::vector<double>& by) {
-    return spherical ? blended_spherically(model, moment, places, by, v) : blended_exactly(moment, places, by, v);
+    return spherical ? blended_spherically(model, moment, places, by) : blended_exactly(moment, places, by, v);
   };
   std::vector<double> of_model;
   for (const auto& [joint, weight] : rounded) of_model.push_back(weight);
@@ -684,7 +679,9 @@ void check_lost_influences() {
     const double weight = j < kept ? random.between(0.2, 1) : std::ldexp(random.between(0.1, 0.49), -weight_bits) * kept * 0.2;
     listed.emplace_back(j, weight), sum += weight;
   }
-  const auto rounded = quantize_weights(listed);
+  std::vector<std::pair<int, double>> lost_shares;
+  const auto rounded = quantize_weights(listed, &lost_shares);
+  RC_ASSERT(static_cast<int>(lost_shares.size()) == lost);
   const Point3 v = random.vector();
   const Eigen::Quaterniond base = random.turn();
   std::vector<Point3> places;
@@ -694,12 +691,10 @@ void check_lost_influences() {
     for (int j = 0; j < joints; ++j) moment.push_back(base * slight_turn(random, 0.7));
   Model model = joints_below_a_base(turns[0], places, rounded, v);
   double far_share = 0;
-  for (const int vertex : {0, 1, 2})
-    for (const auto& [joint, weight] : listed)
-      if (std::none_of(rounded.begin(), rounded.end(), [joint = joint](const auto& of) { return of.first == joint; })) {
-        model.lost_influences.push_back({vertex, joint + 1, weight / sum});
-        if (vertex == 0) far_share = std::max(far_share, weight / sum * places[static_cast<std::size_t>(joint)].norm());
-      }
+  for (const auto& [joint, share] : lost_shares) {
+    for (const int vertex : {0, 1, 2}) model.lost_influences.push_back({vertex, joint + 1, share});
+    far_share = std::max(far_share, share * places[static_cast<std::size_t>(joint)].norm());
+  }
   Animation still{"still", 1, {}};
   for (std::size_t j = 0; j < places.size(); ++j)
     still.tracks.push_back(turning(static_cast<int>(j) + 1, places[j], turns[1][j], turns[1][j]));
@@ -714,6 +709,46 @@ void check_lost_influences() {
     if (skinning == Skinning::dual_quaternion) exact = blended_exactly(turns[moment], places, shares, v);
     RC_ASSERT(holds(moment == 0 ? made.rest[0] : made.clips[0].parts[0], {exact}));
   }
+}
+
+// One joint, and two meshes of it: one about the origin, and one that is modelled far away, which its inverse bind matrix brings back. A
+// renderer in float begins with the far coordinates.
+void check_far_frame() {
+  const int power = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 7));
+  const unsigned seed = drawn_seed();
+  RC_LOG() << "10^" << power << " away, seed " << seed;
+  RC_CLASSIFY(power == 0, "degenerate");
+  Numbers random(seed);
+  const Eigen::Matrix3f turn = random.turn().toRotationMatrix().cast<float>();
+  const Eigen::Vector3f away = (std::pow(10.0, power) * random.vector()).cast<float>();
+  Eigen::Matrix4f back = Eigen::Matrix4f::Identity();
+  back.topLeftCorner<3, 3>() = turn, back.topRightCorner<3, 1>() = -turn * away;
+  Eigen::Matrix4d joint = Eigen::Matrix4d::Identity();
+  joint.topLeftCorner<3, 3>() = random.turn().toRotationMatrix(), joint.topRightCorner<3, 1>() = random.vector();
+  Scene scene{"far", {{"joint", -1, joint}, {"near", -1, Eigen::Matrix4d::Identity()}}, {}, {}, {}, {}};
+  scene.nodes.push_back({"far", -1, Eigen::Matrix4d::Identity()});
+  scene.skins = {{{0}, {Eigen::Matrix4d::Identity()}}, {{0}, {back.cast<double>()}}};
+  std::vector<Point3> places;
+  for (const bool is_far : {false, true}) {
+    ScenePrimitive primitive{"part", {}, {{0, 1, 2}, {2, 3, 4}}, {}, {}};
+    primitive.weights.assign(5, {{0, 1.0}});
+    const Eigen::Matrix4f matrix = joint.cast<float>() * (is_far ? back : Eigen::Matrix4f(Eigen::Matrix4f::Identity()));
+    for (int v = 0; v < 5; ++v) {
+      const Eigen::Vector3f at = random.vector().cast<float>() + (is_far ? away : Eigen::Vector3f(Eigen::Vector3f::Zero()));
+      primitive.positions.push_back(at.cast<double>());
+      places.push_back((matrix.topLeftCorner<3, 3>() * at + matrix.topRightCorner<3, 1>()).cast<double>());
+    }
+    scene.meshes.push_back({{primitive}});
+    scene.shown.push_back({is_far ? 2 : 1, is_far ? 1 : 0, is_far ? 1 : 0, {}});
+  }
+  const Model model = model_of_scene(scene);
+  const ModelBounds made = bound_model(model, {.cluster_triangles = 0, .any_pose = true});
+  RC_ASSERT(holds(made.rest[0], places));
+  RC_ASSERT(made.any_pose[0].has_value() &&
+            model.skeleton.nodes[static_cast<std::size_t>(made.any_pose[0]->node)].name == "joint");
+  for (const Point3& x : places) RC_ASSERT((x - joint.topRightCorner<3, 1>()).norm() <= made.any_pose[0]->radius);
+  if (power > 3) RC_TAG("far");
+  if (!holds(bound_model(model, {.cluster_triangles = 0, .renderer_rounding = 0}).rest[0], places)) RC_TAG("rounding is seen");
 }
 
 // A half turn, but for this cosine of the quaternions.
@@ -775,6 +810,12 @@ void blends_of_rotations(Suite& t) {
   t.holds("joints whose weights are rounded to 0 put no vertex outside, however far they carry it",
           {.number_type = "double", .cases = 300, .degenerate_at_most = 0.6, .tags_at_least = {{"lost ones are far", 0.3}}},
           check_lost_influences);
+  t.holds("what a renderer in float rounds of a mesh that is modelled far away puts no vertex outside",
+          {.number_type = "float",
+           .cases = 300,
+           .degenerate_at_most = 0.4,
+           .tags_at_least = {{"far", 0.2}, {"rounding is seen", 0.3}}},
+          check_far_frame);
   t.holds(
       "where two joints are half a turn apart, to within what a renderer in float rounds, the vertex is inside with either sign",
       {.number_type = "long double", .cases = 120, .degenerate_at_most = 0.6, .tags_at_least = {{"either sign", 0.3}}},

@@ -7,12 +7,10 @@
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/bake/over_time/half_turns.hpp"
-#include "algorithms/runtime/skinning/blend.hpp"
-#include "algorithms/runtime/skinning/rotation_center.hpp"
-#include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "proptests/gen/animated_model.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
+#include "proptests/oracles/reweighted_vertex.hpp"
 
 namespace proptests::suite_moving_vertices {
 namespace {
@@ -207,23 +205,6 @@ Model joints_that_rest(int joints, double angle, double distance, std::mt19937& 
   return model;
 }
 
-// The vertex of that model, with other weights.
-Point3 with_weights(const Model& model, const PosedJoints& posed, Skinning skinning, const std::vector<double>& weights) {
-  Point3 sum = Point3::Zero();
-  if (skinning == Skinning::linear) {
-    for (std::size_t j = 0; j < weights.size(); ++j)
-      sum += weights[j] * (posed.matrices[j] * model.vertices[0].homogeneous()).head<3>();
-    return sum;
-  }
-  OwnedPaletteEntry<double> palette;
-  palette.transforms.assign(posed.pose.begin(), posed.pose.end());
-  make_signs_consistent<double>(palette.transforms);
-  const JointSets sets(model);
-  if (skinning == Skinning::dual_quaternion) place_duals(palette);
-  else place_rotation_center(palette, rotation_center<double>(palette.transforms, center_prior(model, sets.joints(0), skinning)));
-  return blend<double>(skinning, palette, weights, model.vertices[0]);
-}
-
 void check_errors_of_weights() {
   const int joints = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(2, 7));
   const double angle = *rc::gen::element(1e-6, 1e-3, 0.1, 1.0, 2.0, 3.0), distance = *rc::gen::element(0.0, 0.01, 1.0, 100.0);
@@ -245,7 +226,7 @@ void check_errors_of_weights() {
   const auto posed = moving.at(0, Side::after);
   std::vector<double> weights;
   for (const Influence& influence : model.influences[0]) weights.push_back(influence.weight);
-  const Point3 x = with_weights(model, *posed, skinning, weights);
+  const Point3 x = oracle::reweighted_vertex(model, skinning, posed->pose, weights);
   const double most = MovingVertices(model, sets, skinning, {0}).error_growth(cell).per_weight;
   bool is_near = false;
   for (int change = 0; change < 8; ++change) {
@@ -256,7 +237,7 @@ void check_errors_of_weights() {
       changed[static_cast<std::size_t>(j)] += e, sum += std::abs(e), last -= e;
     }
     changed.back() += last, sum += std::abs(last);
-    const double moved = (with_weights(model, *posed, skinning, changed) - x).norm();
+    const double moved = (oracle::reweighted_vertex(model, skinning, posed->pose, changed) - x).norm();
     // Rounding in double, and the blend that is shorter with the changed weights.
     RC_ASSERT(moved <= most * sum * (1 + 1e-4) + 1e-14 * most);
     is_near = is_near || moved > most * sum / 3;

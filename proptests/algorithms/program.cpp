@@ -1160,6 +1160,7 @@ void files_named_twice(Suite& t) {
         fails({"bake", option, path, in, out}, option + " is the file of OUT.glb, too");
       fails({"bake", option, "", in, out}, option + " takes a file");
     }
+    fails({"bake", in, ""}, "OUT.glb takes a file");
     fails({"bake", "--json", other, "--report", other, in, out}, "--report is the file of --json, too");
     fails({"bake", "--certificate", link + "/other.json", "--json", other, in, out}, "--certificate is the file of --json, too");
     for (const std::string option : {"--json", "--certificate"}) {
@@ -1217,7 +1218,14 @@ void names_that_would_leave_their_line(Suite& t) {
     const std::string name = "walk\\x0arest pose: 0 outside\\x1b[2J\\x7f é";
     const bool good = info.out.find("#1 " + name + ": ") != std::string::npos && bake.code == 0 && check.code == 0 &&
                       check.out.find("clip '" + name + "': ") != std::string::npos && check.out.find('\x1b') == std::string::npos;
-    return Checked(good, 3, info.out + check.out);
+    // So are those of the files themselves, also where there is none.
+    const std::string colored = rich.folder.file("a\x1b[31mb.glb"), gone = rich.folder.file("c\x1b[31md.glb");
+    std::filesystem::copy_file(in, colored);
+    const Called named = call({"info", colored}), missing = call({"info", gone});
+    const bool are_named = named.code == 0 && named.out.find("a\\x1b[31mb.glb") != std::string::npos && missing.code == 3 &&
+                           missing.errors.find("c\\x1b[31md.glb: file: does not exist") != std::string::npos &&
+                           (named.out + missing.errors).find('\x1b') == std::string::npos;
+    return Checked(good && are_named, 5, info.out + check.out + named.out + missing.errors);
   });
 }
 

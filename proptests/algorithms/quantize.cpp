@@ -88,6 +88,25 @@ PROPTEST(quantize) {
             for (const auto& [joint, w] : quantize_weights(in)) error[joint] -= Rational(w);
             for (const auto& [joint, e] : error) RC_ASSERT(abs(e) < Rational(0x1p-24 * (1 + 1e-7)));
           });
+  t.holds("each joint with a weight is either kept or lost, and what is lost has its share of the sum, which is below 2^-24",
+          {.number_type = "rational", .cases = 2000, .degenerate_at_least = 0.3, .tags_at_least = {{"lost", 0.1}}}, [] {
+            const Weights in = draw();
+            classify(in);
+            auto left = shares_of(in);
+            Weights lost = {{-1, 1.0}};  // what was there before goes
+            const Weights kept = quantize_weights(in, &lost);
+            RC_ASSERT(kept == quantize_weights(in));
+            for (const auto& [joint, weight] : kept) RC_ASSERT(left.erase(joint) == 1u);
+            int last = -1;
+            for (const auto& [joint, share] : lost) {
+              RC_ASSERT(joint > last && share > 0 && share < 0x1p-24 && left.count(joint) == 1u);
+              RC_ASSERT(abs(left[joint] - Rational(share)) <= left[joint] * Rational(1e-14) + Rational(5e-324));
+              left.erase(last = joint);
+            }
+            // The others have none, or one that is 0 beside the greatest in double.
+            for (const auto& [joint, share] : left) RC_ASSERT(share < Rational(std::numeric_limits<double>::min()));
+            if (!lost.empty()) RC_TAG("lost");
+          });
   t.holds("the order of the shares stays where they differ by more than rounding",
           {.number_type = "rational", .cases = 2000, .degenerate_at_least = 0.3}, [] {
             const Weights in = draw();

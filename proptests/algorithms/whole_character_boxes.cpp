@@ -275,6 +275,15 @@ void boxes_that_are_grown_by_radii(Suite& t) {
       RC_ASSERT(std::abs(radii[j] - least) < 1e-9);
     }
   });
+  t.example("all joints of a vertex give way, and not those that come first before others", {}, [] {
+    long tried = 0;
+    for (const double far : {0.5, 4., 19.}) {
+      const std::vector<double> radii = weighted_radii({{{0, 0.5, far}, {1, 0.5, far}}}, {20, 20});
+      ++tried;
+      if (!(radii[0] > far / 8 && radii[1] > far / 8)) return Checked(false, tried);
+    }
+    return Checked(true, tried);
+  });
   t.example("a linear program goes on from its last solution when rows are added, and says when there is none", {}, [] {
     LinearProgram program;
     const int x = program.add_variable(0, 10), y = program.add_variable(-1, 1);

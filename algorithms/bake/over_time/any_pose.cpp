@@ -60,7 +60,7 @@ class Ranges {
     lengths.from_origin = std::max(lengths.from_origin, from_origin);
     for (std::size_t k = 0; k < joints.size(); ++k) {
       const Eigen::Matrix4d& offset = model_.skeleton.joints[joints[k]].offset;
-      ImageLength length = length_of_point(offset, model_.vertices[vertex]);
+      ImageLength length = length_of_vertex(model_, offset, vertex);
       for (const auto& [weight, d] : displacements) {
         const ImageLength more = length_of_displacement(offset, d);
         length.computed += weight * more.computed, length.summed += weight * more.summed;

@@ -138,7 +138,7 @@ MovingVertices::MovingVertices(const Model& model, const JointSets& sets, Skinni
     for (Morph& morph : set.morphs) morph.lengths.resize(all, 0);
     for (const auto& [k, j] : moving) {
       const BoundJoint& joint = skeleton.joints[j];
-      const ImageLength length = length_of_point(joint.offset, model.vertices[vertices_[i]]);
+      const ImageLength length = length_of_vertex(model, joint.offset, vertices_[i]);
       set.reaches[k] = std::max(set.reaches[k], length.summed);
       set.distances[k] = std::max(set.distances[k], length.computed);
       if (k < kept) set.base = set.base == -2 ? joint.node : common_node(skeleton.nodes, set.base, joint.node);
@@ -220,15 +220,14 @@ CellSlack MovingVertices::slack(const JointCell& cell, Finite finite) const {
   if (skinning_ != Skinning::spherical) {
     for (const Set& set : sets_) {
       const std::vector<double> chords = is_blended(set) ? dual_chords(set, cell) : linear_chords(set, cell);
-      raise(chords, sum_of(chords));
+      raise(chords, is_blended(set) ? sum_of(chords) : std::min(sum_of(chords), widest_chord(set, cell)));
     }
     if (out.chord < unknown || finite == Finite::may_be) return out;
   }
   out = {Followed::linear_blend, 0, std::vector<double>(cell.sides.size(), 0), std::vector<double>(vertices_.size(), 0)};
   for (const Set& set : sets_) {
     const std::vector<double> chords = linear_chords(set, cell);
-    double sum = sum_of(chords);
-    if (finite == Finite::must_be && !(sum < unknown)) sum = widest_chord(set, cell);
+    const double sum = std::min(sum_of(chords), widest_chord(set, cell));
     raise(chords, !is_blended(set) || deviate(set, cell, finite, sum, out.beyond) ? sum : unknown);
   }
   return out;

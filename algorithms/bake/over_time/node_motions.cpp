@@ -134,6 +134,13 @@ Motion<double> during(double start, double end, const Motion<double>& motion) {
   return start < end ? motion : at_rest(motion.size);
 }
 
+ImageLength length_of_point(const Eigen::Matrix4d& offset, const Point3& v) {
+  const Eigen::Vector3d translation = offset.topRightCorner<3, 1>();
+  const double summed = stretch_of(offset).most * norm<double, 3>(v) + translation.norm();
+  const Point3 image = offset.topLeftCorner<3, 3>() * v + translation;
+  return {norm<double, 3>(image) + rounding_of_image * summed, summed};
+}
+
 }  // namespace
 
 Stretch stretch_of(const Eigen::Matrix4d& matrix) {
@@ -253,12 +260,16 @@ double defect_of(const BoundSkeleton& skeleton, const std::vector<Stretch>& link
   return greatest;
 }
 
-ImageLength length_of_point(const Eigen::Matrix4d& offset, const Point3& v) {
+ImageLength length_of_vertex(const Model& model, const Eigen::Matrix4d& offset, int vertex) {
   const DefaultFloatEnvironment environment;
-  const Eigen::Vector3d translation = offset.topRightCorner<3, 1>();
-  const double summed = stretch_of(offset).most * norm<double, 3>(v) + translation.norm();
-  const Point3 image = offset.topLeftCorner<3, 3>() * v + translation;
-  return {norm<double, 3>(image) + rounding_of_image * summed, summed};
+  const Point3& v = model.vertices[static_cast<std::size_t>(vertex)];
+  ImageLength out = length_of_point(offset, v);
+  for (const PlacedVertex& placed : placed_vertices(model, vertex)) {
+    const Eigen::Matrix4d& placement = model.placements[static_cast<std::size_t>(placed.placement)];
+    const Point3 own = (placement.inverse() * v.homogeneous()).head<3>();
+    out.summed = std::max(out.summed, length_of_point(offset * placement, own).summed);
+  }
+  return out;
 }
 
 ImageLength length_of_displacement(const Eigen::Matrix4d& offset, const Point3& d) {

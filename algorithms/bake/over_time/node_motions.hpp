@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "algorithms/model/skeleton_motion.hpp"
+#include "algorithms/model/model.hpp"
 #include "lemmas/c4_chain_motion.hpp"
 
 namespace refitlab {
@@ -65,7 +65,8 @@ inline constexpr double rounding_of_image = 32 * std::numeric_limits<double>::ep
 struct ImageLength {
   double computed, summed;
 };
-ImageLength length_of_point(const Eigen::Matrix4d& offset, const Point3& v);
+// A vertex is also made of what the file's own offset and coordinates are, which a renderer begins with.
+ImageLength length_of_vertex(const Model& model, const Eigen::Matrix4d& offset, int vertex);
 ImageLength length_of_displacement(const Eigen::Matrix4d& offset, const Point3& d);
 
 // Returns how many times the rounding errors of splines' quaternions are those of a slerp's, from start to end as above. They are

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 #include "algorithms/runtime/collide/affine_boxes.hpp"
 #include "algorithms/runtime/collide/placement.hpp"
@@ -47,7 +48,7 @@ ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
   flipped_.resize(most), boxes_.resize(most);
 }
 
-void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placement, const Deformation& deformation) {
+void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placement, const Deformation& deformation) try {
   const DefaultFloatEnvironment environment;
   check_placement(placement, tree_.character().mesh.name, "the body's placement");
   const SkinnedMesh& mesh = tree_.character().mesh;
@@ -69,9 +70,12 @@ void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placemen
   is_affine_ = false;
   clusters_.begin(pose_, placement_, placement_.translation, reference);
   start();
+} catch (const std::bad_alloc&) {
+  lose_frame();
+  throw;
 }
 
-void ClusterBody::begin(const AffinePose& pose, const RigidTransform<double>& placement, const std::vector<double>& weights) {
+void ClusterBody::begin(const AffinePose& pose, const RigidTransform<double>& placement, const std::vector<double>& weights) try {
   if (skinning_ != Skinning::linear) {
     const auto [rigid, scales] = split(tree_.character().mesh, pose);
     return begin(rigid, placement, {weights, scales});
@@ -86,6 +90,9 @@ void ClusterBody::begin(const AffinePose& pose, const RigidTransform<double>& pl
   is_motion_bound_made_ = !is_deformed_;
   if (!is_deformed_) motion_bound_box_ = motion_bound_.box(pose, placement);
   start();
+} catch (const std::bad_alloc&) {
+  lose_frame();
+  throw;
 }
 
 // Returns the reference of a frame, which is none if nothing deforms it.
@@ -105,6 +112,13 @@ void ClusterBody::start() {
   are_floats_filled_ = is_all_skinned_ = is_rather_skinned_ = false;
   wide_nodes_made_.begin();
   nodes_bounded_ = work_ = 0;
+}
+
+// Some of what belongs to a frame is that of the next one already.
+void ClusterBody::lose_frame() {
+  clusters_.end();
+  wide_nodes_made_.begin();
+  is_motion_bound_made_ = false;
 }
 
 void ClusterBody::make_motion_bound() {

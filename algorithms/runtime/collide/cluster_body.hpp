@@ -20,8 +20,8 @@ class ClusterBody {
   // Starts a frame, of which nothing is computed yet. placement takes model space to the world. A deformation is that of this frame;
   // then nodes are bounded by balls, with the pieces of the default variant, and all skinning is in double. Throws ModelError for a
   // pose that make_skinning_palette refuses and for a deformation that check_deformation refuses, and std::invalid_argument for a
-  // placement that is not rigid, and for a deformation of a character that was baked without those pieces. If it throws, the body is
-  // still in the frame before.
+  // placement that is not rigid, and for a deformation of a character that was baked without those pieces. If it throws one of
+  // these, the body is still in the frame before. If memory runs out, the body is in no frame.
   void begin(const Pose& pose, const RigidTransform<double>& placement, const Deformation& deformation = {});
   // Starts a frame of affine joints, and of morph targets if there are weights. Linear skinning blends these transforms; other
   // skinning has two phases of them (split, in runtime/skinning/deformation.hpp). Throws the same.
@@ -108,6 +108,7 @@ class ClusterBody {
   const DeformedReference* deform(const Deformation& deformation);
   Box<double> box_of_deformed(int node);
   void start();
+  void lose_frame();
   void make_motion_bound();
   void set_motion_bound(const Box<double>& box);
   void bound_wide_node(int wide_node);

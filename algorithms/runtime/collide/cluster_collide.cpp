@@ -2,6 +2,7 @@
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 
 #include <optional>
+#include <stdexcept>
 
 #include "algorithms/runtime/collide/cluster_traversal.hpp"
 #include "algorithms/runtime/collide/triangles_meet.hpp"
@@ -28,6 +29,8 @@ std::optional<TrianglePair> still_touching(ClusterBody& first, ClusterBody& seco
 
 std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts, PairMemory* memory) {
   const DefaultFloatEnvironment environment;
+  if (&first == &second)
+    throw std::invalid_argument("collide: " + first.tree().character().mesh.name + ": a body is not compared with itself");
   if (memory && query == Query::yes_no)
     if (const auto pair = still_touching(first, second, *memory, counts)) {
       memory->remember(*pair);

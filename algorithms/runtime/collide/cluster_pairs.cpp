@@ -60,8 +60,10 @@ void DoublePairs::decide(std::vector<TrianglePair>& found) {
                           : answers_[p] == Filtered::meet;
     if (meet) found.push_back({pairs_[p].first, pairs_[p].second});
   }
-  vertices_a_.clear(), vertices_b_.clear(), pairs_.clear();
+  clear();
 }
+
+void DoublePairs::clear() { vertices_a_.clear(), vertices_b_.clear(), pairs_.clear(); }
 
 ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, QueryCounts& counts, ClusterPairScratch& scratch)
     : first_(first),
@@ -69,7 +71,7 @@ ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Quer
       counts_(counts),
       scratch_(scratch) {
   const DefaultFloatEnvironment environment;
-  scratch.open.clear();  // a query that ends early leaves what it need not know
+  scratch.open.clear(), scratch.doubles.clear();  // a query that ends early, or by an exception, leaves what was not decided
   double largest = 0;
   for (int i = 0; i < 3; ++i) {
     const double offset = second.origin()[i] - first.origin()[i];

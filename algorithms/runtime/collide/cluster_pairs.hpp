@@ -18,6 +18,7 @@ class DoublePairs {
   void add(const std::array<PaddedVertex, 3>& a, const std::array<PaddedVertex, 3>& b, TrianglePair pair);
   // Appends to found the pairs that touch, and forgets all.
   void decide(std::vector<TrianglePair>& found);
+  void clear();
 
  private:
   std::vector<PaddedVertex> vertices_a_, vertices_b_;

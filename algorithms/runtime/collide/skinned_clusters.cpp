@@ -83,6 +83,11 @@ void SkinnedClusters::start(const RigidTransform<double>& placement, const Point
   clusters_skinned_ = vertices_skinned_ = work_ = 0;
 }
 
+void SkinnedClusters::end() {
+  is_begun_ = false;
+  float_palettes_made_.begin(), palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin();
+}
+
 void SkinnedClusters::require_frame() const {
   if (!is_begun_) throw std::logic_error(tree_.character().mesh.name + ": no frame was begun");
 }

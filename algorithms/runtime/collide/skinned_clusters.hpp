@@ -50,6 +50,8 @@ class SkinnedClusters {
 
   // Throws std::logic_error before the first frame, and so does what is below that makes something.
   void require_frame() const;
+  // Ends the frame. Another one is to be begun before anything is asked for.
+  void end();
 
   const ClusterTree& tree() const { return tree_; }
   const Point3& origin() const { return origin_; }

@@ -10,7 +10,8 @@
 
 namespace refitlab {
 
-std::vector<std::pair<int, double>> quantize_weights(const std::vector<std::pair<int, double>>& weights) {
+std::vector<std::pair<int, double>> quantize_weights(const std::vector<std::pair<int, double>>& weights,
+                                                     std::vector<std::pair<int, double>>* lost) {
   const DefaultFloatEnvironment environment;
   double largest = 0;
   for (const auto& [joint, weight] : weights) largest = std::max(largest, weight);
@@ -24,15 +25,16 @@ std::vector<std::pair<int, double>> quantize_weights(const std::vector<std::pair
 
   struct Part {
     int joint;
+    double share;
     std::int64_t units;
     double remainder;
   };
   std::vector<Part> parts;
   std::int64_t missing = std::int64_t{1} << weight_bits;
   for (const auto& [joint, weight] : by_joint) {
-    const double exact = std::ldexp(weight / sum, weight_bits);
+    const double share = weight / sum, exact = std::ldexp(share, weight_bits);
     const double units = std::floor(exact);
-    parts.push_back({joint, static_cast<std::int64_t>(units), exact - units});
+    parts.push_back({joint, share, static_cast<std::int64_t>(units), exact - units});
     missing -= parts.back().units;
   }
   // The rest that rounding down left goes to the largest remainders, a unit each. There are enough of them: a remainder is less
@@ -44,8 +46,11 @@ std::vector<std::pair<int, double>> quantize_weights(const std::vector<std::pair
   for (std::int64_t i = 0; i < missing; ++i) ++parts[order[i]].units;
 
   std::vector<std::pair<int, double>> out;
-  for (const Part& p : parts)
+  if (lost) lost->clear();
+  for (const Part& p : parts) {
     if (p.units > 0) out.emplace_back(p.joint, std::ldexp(static_cast<double>(p.units), -weight_bits));
+    else if (lost && p.share > 0) lost->emplace_back(p.joint, p.share);
+  }
   return out;
 }
 

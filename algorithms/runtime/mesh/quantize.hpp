@@ -17,6 +17,9 @@ inline constexpr int weight_bits = 24;
 // joints, divides by the sum, rounds so that the total is 1 (largest remainders first), drops weights that round to 0, and
 // sorts by joint. Each weight is less than 2^-24 from its share of the sum, up to the rounding of doubles. The order of the
 // shares stays the same.
-std::vector<std::pair<int, double>> quantize_weights(const std::vector<std::pair<int, double>>& weights);
+// lost, where it is given, becomes the joints whose positive weights round to 0, each with its share of the sum in (0, 2^-24),
+// sorted by joint.
+std::vector<std::pair<int, double>> quantize_weights(const std::vector<std::pair<int, double>>& weights,
+                                                     std::vector<std::pair<int, double>>* lost = nullptr);
 
 }  // namespace refitlab

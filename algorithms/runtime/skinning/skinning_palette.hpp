@@ -212,7 +212,7 @@ Point3 center_prior(const SkinnedMesh& mesh, std::span<const int> joints, Skinni
 SkinningPalette<double> make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const Pose& pose,
                                               Skinning skinning);
 
-// Does the same, but overwrites palette and uses its storage again. If it throws, palette is unchanged.
+// Does the same, but overwrites palette and uses its storage again. If it refuses the pose, palette is unchanged.
 void make_skinning_palette(const SkinnedMesh& mesh, const JointSets& sets, const Pose& pose, Skinning skinning,
                            SkinningPalette<double>& palette);
 

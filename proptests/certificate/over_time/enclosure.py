@@ -4,7 +4,7 @@ chord between them (lemmas/c1, c4, c5, c6)."""
 import numpy as np
 
 from .interval import Interval, above, norm, stack
-from .motion import Chain, Motion
+from .motion import Chain, Motion, times
 from .nodes import AnimatedNodes, animation_of, product
 from .rejected import require
 
@@ -62,8 +62,9 @@ class PartVertices:
         return out
 
     def slacks(self, moved, duration):
-        """How far a vertex may be off its chord, if it is moved by its joints but the light ones; and what these add."""
-        slacks = moved.slack(duration)
+        """How far a vertex may be off its chord, if it is moved by its joints but the light ones; and what these add. However fast
+        it moves, both are no farther from the scene's origin than it ever is."""
+        slacks = np.minimum(moved.slack(duration), times(2.0, moved.size))
         light = slacks[self.heavy_rows:].max(axis=0, initial=0.0) * self.light_share
         return slacks[:self.heavy_rows].max(axis=0), above(light)
 
