@@ -27,6 +27,13 @@ Pose step(const AnimatedCharacter& c, int frame, double share) {
   return walk.sample(std::fmod(frame / static_cast<double>(frames) + share, 1.0) * walk.duration);
 }
 
+std::vector<TrianglePair> sorted_pairs(ClusterBody& a, ClusterBody& b) {
+  QueryCounts counts;
+  std::vector<TrianglePair> found = collide(a, b, Query::full, counts);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 // Two bodies that overlap, and queries of which one allocation fails. Returns how many queries failed; -1 if one of them, asked again in the
 // same frame, did not find the pairs that it should. skins_rather: whether clusters are skinned where wide nodes are bounded.
 long failed_queries(const ClusterTree& tree, Skinning skinning, const Pose& pose, bool skins_rather) {
@@ -36,16 +43,15 @@ long failed_queries(const ClusterTree& tree, Skinning skinning, const Pose& pose
     ClusterBody a(tree, skinning), b(tree, skinning);
     a.begin(pose, {}), b.begin(pose, beside);
     if (skins_rather) a.skin_rather(), b.skin_rather();
-    QueryCounts counts;
     bool has_failed = false;
     if (after >= 0) try {
+        QueryCounts counts;
         const oracle::FailingAllocation failing(after);
         collide(a, b, Query::full, counts);
       } catch (const std::bad_alloc&) {
         has_failed = true;
       }
-    std::vector<TrianglePair> found = collide(a, b, Query::full, counts);
-    std::sort(found.begin(), found.end());
+    const std::vector<TrianglePair> found = sorted_pairs(a, b);
     if (after < 0) expected = found;
     if (found != expected || expected.empty()) return -1;
     if (after >= 0 && !has_failed) return after;
@@ -71,13 +77,6 @@ SkinnedMesh sheet(int squares) {
   mesh.targets.count = 1;
   mesh.targets.of_vertex.assign(mesh.vertices.size(), {{0, {0, 0, 1}}});
   return mesh;
-}
-
-std::vector<TrianglePair> sorted_pairs(ClusterBody& a, ClusterBody& b) {
-  QueryCounts counts;
-  std::vector<TrianglePair> found = collide(a, b, Query::full, counts);
-  std::sort(found.begin(), found.end());
-  return found;
 }
 
 // After a query that runs out of memory at any allocation, the body is asked in another frame, against another body.
