@@ -37,12 +37,12 @@ struct Options {
   TightnessSettings tightness{.times_per_clip = 8};
   SpeedSettings speed{.seconds_per_run = 0.01, .repetitions = 3};
   VolumeSettings volumes{.times_per_clip = 3, .nodes_per_level = 32, .speed = speed};
-  RoundingSettings rounding{.poses = 1, .vertices_per_node = 2, .speed = speed};
-  CollisionSettings collisions{.frames = 2, .speed = {.seconds_per_run = 0.001, .repetitions = 3}};
-  TriangleGrowthSettings triangles{.frames = 2, .speed = {.seconds_per_run = 0.002, .repetitions = 3}};
+  RoundingSettings rounding{.poses = 1, .vertices_per_node = 1, .speed = speed};
+  CollisionSettings collisions{.frames = 1, .speed = {.seconds_per_run = 0.001, .repetitions = 3}};
+  TriangleGrowthSettings triangles{.frames = 1, .speed = {.seconds_per_run = 0.002, .repetitions = 3}};
   SyntheticSettings synthetic{.count = 2000};
-  OverTimeSettings over_time;
-  CrossfadeSettings crossfades{.times = 9, .weights = 5, .clips = 2, .cluster_triangles = 512};
+  OverTimeSettings over_time{.random_times = 100, .halvings = 4, .exact_checks = 4};
+  CrossfadeSettings crossfades{.times = 5, .weights = 5, .clips = 2, .cluster_triangles = 512};
   OverTimeGrowthSettings over_time_growth;
   EngineSettings engines{.speed = speed};
   DeformationSettings deformations{.speed = speed};

@@ -72,6 +72,14 @@ long terms_of(const json& bound, long weight_vertices, int degree) {
   return terms;
 }
 
+// Returns the steps of a vertex in its piece. A checker may walk lists from their beginning.
+long steps_of_vertex(const json& vertex, const json& pieces) {
+  const long weights = static_cast<long>(vertex["weights"].size()),
+             weight_vertices = static_cast<long>(pieces.at(vertex["piece"].get<std::size_t>())["weight_vertices"].size());
+  return 1 + static_cast<long>(vertex["shares"].size()) *
+                 (weights + (weights * weights + weight_vertices) / list_steps_per_certificate_step);
+}
+
 long steps_of(const json& document) {
   const int degree = document["skinning"] == "spherical" ? 3 : document["skinning"] == "dual_quaternion" ? 2 : 1;
   long steps = 0;
@@ -79,8 +87,7 @@ long steps_of(const json& document) {
     const long vertices = static_cast<long>(piece["weight_vertices"].size());
     steps += vertices * static_cast<long>(piece["weight_vertices"][0].size()) + terms_of(piece["bound"], vertices, degree);
   }
-  for (const json& vertex : document["vertices"])
-    steps += 1 + static_cast<long>(vertex["weights"].size() * vertex["shares"].size());
+  for (const json& vertex : document["vertices"]) steps += steps_of_vertex(vertex, document["pieces"]);
   return steps;
 }
 

@@ -14,6 +14,7 @@ inline constexpr std::size_t most_certificate_bytes = 1 << 24;  // of balls and 
 inline constexpr std::size_t most_certificate_digits = 400;     // of a numerator or denominator, in decimal
 inline constexpr std::size_t most_certificate_bits = 1 << 13;   // of a common denominator
 inline constexpr long most_certificate_work = 500'000;          // of the proofs of a ball
+inline constexpr long list_steps_per_certificate_step = 1024;   // as long as one step of a proof takes
 inline constexpr long most_pairs_work = 20'000'000;             // of the proof of pairs
 
 // Returns whether checkers of balls and of pairs refuse a fraction, such as "-3/8" or "5", for its length.

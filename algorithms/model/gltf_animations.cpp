@@ -10,6 +10,7 @@ namespace refitlab {
 namespace {
 
 constexpr double least_rotation = 1e-6;         // the norm of a quaternion that is taken for a rotation
+constexpr double usual_length_error = 2e-6;     // of floats, also where they were written with few digits
 constexpr double unit_length_tolerance = 1e-2;  // of quaternions of splines; as normalised bytes they are off by nearly that
 
 Eigen::Vector3d vector_of(const NumberTable& values, std::size_t row, const Eigen::Vector3d&) {
@@ -47,6 +48,13 @@ std::string complaint(const Eigen::Quaterniond& q, Interpolation interpolation) 
   return unit || interpolation != Interpolation::cubic ? "" : "a spline's rotation by a quaternion that is not of unit length";
 }
 
+// Returns by how much the length of a value is off that of a rotation. Other values have any length.
+double off_unit_length(const Eigen::Quaterniond& q) { return std::abs(q.norm() - 1); }
+template <class Other>
+double off_unit_length(const Other&) {
+  return 0;
+}
+
 class ClipReader {
  public:
   ClipReader(const tinygltf::Model& source, std::size_t clip, const GltfNodes& nodes, const GltfNumbers& numbers,
@@ -58,6 +66,9 @@ class ClipReader {
         file_(file) {
     out_.name = animation_.name.empty() ? "clip " + std::to_string(clip) : animation_.name;
   }
+
+  // Returns by how much the length of a quaternion is off, which no spline has, at most. After read().
+  double farthest_length() const { return farthest_length_; }
 
   Animation read() {
     const std::string clip = "clip '" + out_.name + "'";
@@ -135,7 +146,7 @@ class ClipReader {
 
   template <class Value>
   void add_key(std::size_t k, double time, const NumberTable& values, const Value& as, const std::string& thing,
-               Channel<Value>& out) const {
+               Channel<Value>& out) {
     const auto refuse = [&](const std::string& reason) {
       throw ModelError(file_, thing + ", key " + std::to_string(k) + " at " + std::to_string(time) + " s", reason);
     };
@@ -145,7 +156,10 @@ class ClipReader {
     if (!wrong.empty()) refuse(wrong);
     if (!out.keys.empty() && time < out.keys.back().time) refuse("keys are not in order of time");
     out.keys.push_back({time, key_value(value, out.interpolation)});
-    if (!cubic) return;
+    if (!cubic) {
+      farthest_length_ = std::max(farthest_length_, off_unit_length(value));
+      return;
+    }
     out.tangents.push_back({vector_of(values, 3 * k, as), vector_of(values, 3 * k + 2, as)});
     if (!is_finite(out.tangents.back().into) || !is_finite(out.tangents.back().out)) refuse("a tangent is not finite");
   }
@@ -156,14 +170,23 @@ class ClipReader {
   const GltfNumbers& numbers_;
   const std::string& file_;
   Animation out_;
+  double farthest_length_ = 0;
 };
 
 }  // namespace
 
 std::vector<Animation> convert_animations(const tinygltf::Model& source, const GltfNodes& nodes, const GltfNumbers& numbers,
-                                          const std::string& file) {
+                                          const std::string& file, std::vector<std::string>& notes) {
   std::vector<Animation> out;
-  for (std::size_t a = 0; a < source.animations.size(); ++a) out.push_back(ClipReader(source, a, nodes, numbers, file).read());
+  for (std::size_t a = 0; a < source.animations.size(); ++a) {
+    ClipReader reader(source, a, nodes, numbers, file);
+    out.push_back(reader.read());
+    if (reader.farthest_length() > usual_length_error)
+      notes.push_back("clip '" + out.back().name + "': has rotations whose quaternions are not of unit length but off by up to " +
+                      std::to_string(reader.farthest_length()) +
+                      ", as integers are. They are divided by their lengths. A renderer that does not do so, such as three.js, "
+                      "moves vertices by up to four times this share of their distance from the joint, and out of bounds");
+  }
   return out;
 }
 

@@ -245,4 +245,13 @@ std::vector<ShownMesh> convert_shown(const tinygltf::Model& source, const GltfNo
   return out;
 }
 
+void note_other_scenes(const tinygltf::Model& source, const GltfNodes& nodes, Scene& scene) {
+  std::size_t others = 0;
+  for (std::size_t n = static_cast<std::size_t>(nodes.shown); n < nodes.nodes.size(); ++n)
+    others += source.nodes[static_cast<std::size_t>(nodes.nodes[n].source)].mesh >= 0;
+  if (others > 0)
+    scene.notes.push_back(std::to_string(others) + (others == 1 ? " node that shows a mesh is" : " nodes that show meshes are") +
+                          " not in the default scene, and left out; bounds do not have what other scenes show");
+}
+
 }  // namespace refitlab

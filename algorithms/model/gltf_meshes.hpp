@@ -23,4 +23,7 @@ std::vector<SceneSkin> convert_skins(const tinygltf::Model& source, const GltfNo
 // skin that does not exist, and for joints or weights that do not fit the skin.
 std::vector<ShownMesh> convert_shown(const tinygltf::Model& source, const GltfNodes& nodes, const Scene& scene);
 
+// Adds a note to the scene if nodes that are not in it show meshes.
+void note_other_scenes(const tinygltf::Model& source, const GltfNodes& nodes, Scene& scene);
+
 }  // namespace refitlab

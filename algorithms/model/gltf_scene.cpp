@@ -16,7 +16,8 @@ Scene gltf_scene(const std::string& bytes, const std::string& path) {
   const GltfNodes nodes = convert_nodes(source, path);
   Scene scene{path, nodes.nodes, convert_meshes(source, numbers, path), convert_skins(source, nodes, numbers, path), {}, {}};
   scene.shown = convert_shown(source, nodes, scene);
-  scene.animations = convert_animations(source, nodes, numbers, path);
+  note_other_scenes(source, nodes, scene);
+  scene.animations = convert_animations(source, nodes, numbers, path, scene.notes);
   return scene;
 }
 

@@ -31,17 +31,18 @@ class Skin {
         scene_.nodes[use.node].source, use.mesh, bound.primitive, use.skin, std::vector<int>(primitive.positions.size(), -1), {}};
     const bool mirrored = bound.placement.determinant() < 0;
     farthest_sum_ = 0, off_sums_ = 0;
+    std::vector<Known*> corner_of(primitive.positions.size());
     for (const Triangle& corners : primitive.triangles) {
-      Triangle t;
-      for (int k = 0; k < 3; ++k) {
-        int& known = source.vertices[corners[k]];
-        if (known < 0) known = vertex(bound, primitive, corners[k], morphed);
-        t[k] = known;
-      }
-      if (mirrored) std::swap(t[1], t[2]);
-      const bool kept = t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+      for (const int corner : corners)
+        if (!corner_of[corner]) corner_of[corner] = &known(bound, primitive, corner, morphed);
+      const Known *a = corner_of[corners[0]], *b = corner_of[corners[1]], *c = corner_of[corners[2]];
+      const bool kept = a != b && b != c && c != a;
       source.triangles.push_back(kept ? static_cast<int>(model_.triangles.size()) : -1);
-      if (kept) model_.triangles.push_back(t);
+      if (!kept) continue;
+      Triangle t;
+      for (int k = 0; k < 3; ++k) t[k] = source.vertices[corners[k]] = vertex(*corner_of[corners[k]]);
+      if (mirrored) std::swap(t[1], t[2]);
+      model_.triangles.push_back(t);
     }
     if (off_sums_ > 0)
       model_.notes.push_back(primitive.label + ": the weights of " + std::to_string(off_sums_) +
@@ -108,7 +109,12 @@ class Skin {
     return any ? out : std::vector<double>{};
   }
 
-  int vertex(const BoundPrimitive& bound, const ScenePrimitive& primitive, int index, int morphed) {
+  // What tells vertices apart is their place, weights, node's mesh in model.morphs and displacements.
+  using Key = std::tuple<std::array<double, 3>, Weights, int, std::vector<double>>;
+  // A Known is a key with the model's vertex, which is -1 until a triangle has it.
+  using Known = std::pair<const Key, int>;
+
+  Known& known(const BoundPrimitive& bound, const ScenePrimitive& primitive, int index, int morphed) {
     const ShownMesh& use = scene_.shown[bound.shown];
     const Weights weights = weights_of(bound, primitive, index, use.skin >= 0);
     double sum = 0;
@@ -122,24 +128,27 @@ class Skin {
     const Point3 rest = (bound.placement * position_of(use, primitive, index).homogeneous()).head<3>();
     const std::vector<double> moved = morphed < 0 ? std::vector<double>{} : displacements_of(bound, primitive, index);
     // By the file's own weights: what only their rounding makes the same is not, and a triangle of it has three corners.
-    const Key key{{rest[0], rest[1], rest[2]}, weights, moved.empty() ? -1 : morphed, moved};
-    const auto [found, is_new] = known_.try_emplace(key, static_cast<int>(model_.vertices.size()));
-    if (is_new) {
-      for (std::size_t t = 0; t < moved.size() / 3; ++t)
-        if (const Point3 by(moved[3 * t], moved[3 * t + 1], moved[3 * t + 2]); !by.isZero(0))
-          model_.morphs[morphed].targets[t].displacements.emplace_back(found->second, by);
-      model_.vertices.push_back(rest);
-      auto& influences = model_.influences.emplace_back();
-      Weights lost;
-      for (const auto& [joint, weight] : quantize_weights(weights, &lost)) influences.push_back({joint, weight});
-      for (const auto& [joint, share] : lost) model_.lost_influences.push_back({found->second, joint, share});
-    }
-    return found->second;
+    return *known_.try_emplace({{rest[0], rest[1], rest[2]}, weights, moved.empty() ? -1 : morphed, moved}, -1).first;
+  }
+
+  int vertex(Known& known) {
+    auto& [key, vertex] = known;
+    if (vertex >= 0) return vertex;
+    vertex = static_cast<int>(model_.vertices.size());
+    const auto& [rest, weights, morphed, moved] = key;
+    for (std::size_t t = 0; t < moved.size() / 3; ++t)
+      if (const Point3 by(moved[3 * t], moved[3 * t + 1], moved[3 * t + 2]); !by.isZero(0))
+        model_.morphs[morphed].targets[t].displacements.emplace_back(vertex, by);
+    model_.vertices.emplace_back(rest[0], rest[1], rest[2]);
+    auto& influences = model_.influences.emplace_back();
+    Weights lost;
+    for (const auto& [joint, weight] : quantize_weights(weights, &lost)) influences.push_back({joint, weight});
+    for (const auto& [joint, share] : lost) model_.lost_influences.push_back({vertex, joint, share});
+    return vertex;
   }
 
   static constexpr double usual_sum_error = 1e-3;  // of weights with few digits
 
-  using Key = std::tuple<std::array<double, 3>, Weights, int, std::vector<double>>;
   const Scene& scene_;
   Morphs morphs_;
   Model& model_;

@@ -168,6 +168,7 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   const bool is_linear = call.bounds.skinning == Skinning::linear;
   const Model model = load_model(call.in, {.joints = is_linear ? Joints::affine : Joints::rigid, .morphs = Morphs::moving});
 
+  if (!call.report.empty()) check_report(model, call.in);
   if (!map.count("quiet")) {
     print_notes(call.in, model.notes, errors);
     print_notes(call.in, half_turns(model), errors);
@@ -193,21 +194,25 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
 
   chunks[0].data = with_extras(chunks[0].data, model, bounds, call.bounds, call.in);
   std::erase_if(chunks, [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });
+  // The second chunk is for buffers. Where there is none, many readers refuse another kind in its place; one of zeros harms nothing.
+  if (chunks.size() < 2 || chunks[1].type != bin_chunk) chunks.insert(chunks.begin() + 1, {bin_chunk, std::string(4, '\0')});
   BakedFile baked_file{bounds.skinning, bounds.rotations, std::nullopt, clusters_of(model, bounds)};
   if (call.with_character) baked_file.character = character ? *std::move(character) : baked_character(model);
   chunks.push_back({refitlab_chunk, chunk_of(baked_file)});
-  const std::string baked = glb_of(chunks, call.out);
+  const std::string baked = glb_of(chunks, call.out), report = call.report.empty() ? "" : report_page(model, bounds, call.in);
   write_whole(call.out, baked);
   if (!call.certificate.empty()) write_whole(call.certificate, clip_certificate(model, bounds, baked));
-  if (!call.report.empty()) write_whole(call.report, report_page(model, bounds, call.in));
+  if (!call.report.empty()) write_whole(call.report, report);
   if (!call.json.empty())
     write_whole(call.json, summary_json(model, bounds, call, seconds, {peak_of_bounding, peak_megabytes()}));
 
   long clusters = 0;
   for (const ModelPart& part : bounds.parts) clusters += part.kind == PartKind::cluster;
-  out << call.out << ": " << model.triangles.size() << " triangles in " << clusters << " clusters, " << bounds.clips.size()
-      << " clips, " << bounds.crossfades.size() << " crossfades, " << name_of(bounds.skinning) << " skinning; " << std::fixed
-      << std::setprecision(2) << seconds << " s\n";
+  // What is written to the standard output is to be read by a program.
+  std::ostream& told = is_standard_output(call.out) || is_standard_output(call.json) ? errors : out;
+  told << call.out << ": " << model.triangles.size() << " triangles in " << clusters << " clusters, " << bounds.clips.size()
+       << " clips, " << bounds.crossfades.size() << " crossfades, " << name_of(bounds.skinning) << " skinning; " << std::fixed
+       << std::setprecision(2) << seconds << " s\n";
   return exit_done;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/program/command.hpp"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -80,6 +83,13 @@ void check_written(std::vector<NamedFile> others, const std::vector<NamedFile>& 
       if (place_of(file.path) == place_of(other.path)) throw UsageError(file.of + " is the file of " + other.of + ", too");
     others.push_back(file);
   }
+}
+
+bool is_standard_output(const std::string& path) {
+  struct stat file {
+  }, standard{};
+  return ::stat(path.c_str(), &file) == 0 && ::fstat(STDOUT_FILENO, &standard) == 0 && file.st_dev == standard.st_dev &&
+         file.st_ino == standard.st_ino;
 }
 
 const char* name_of(Skinning skinning) {

@@ -47,6 +47,9 @@ std::vector<NamedFile> files_of(const boost::program_options::variables_map& map
 // Throws UsageError if a file that is to be written has no name, or is one of the others or of those that are written too.
 void check_written(std::vector<NamedFile> others, const std::vector<NamedFile>& written);
 
+// Returns whether what is written to this file comes out of the program's standard output.
+bool is_standard_output(const std::string& path);
+
 // Returns the name that --skinning takes.
 const char* name_of(Skinning skinning);
 Skinning skinning_of(const std::string& name);  // throws UsageError

@@ -60,20 +60,37 @@ Json json_of_clip(const Model& model, const ModelBounds& bounds, int clip) {
   return out;
 }
 
+JsonEdit& element(JsonEdit& of, const char* array, std::size_t index) { return of.members[array].elements[index]; }
+JsonEdit& bounds_in(JsonEdit& of) { return of.members["extras"].members["refitlab"]; }
+
+// Returns what removes the bounds that a file has, which may be those of another scene.
+JsonEdit without_bounds(const std::string& json) {
+  JsonEdit out;
+  const Json whole = Json::parse(json);
+  const auto count = [](const Json& of, const char* array) {
+    const auto found = of.find(array);
+    return found != of.end() && found->is_array() ? found->size() : 0;
+  };
+  for (const char* array : {"skins", "animations"})
+    for (std::size_t i = 0; i < count(whole, array); ++i) bounds_in(element(out, array, i)).is_removed = true;
+  for (std::size_t m = 0; m < count(whole, "meshes"); ++m) {
+    JsonEdit& mesh = element(out, "meshes", m);
+    bounds_in(mesh).is_removed = true;
+    for (std::size_t p = 0; p < count(whole["meshes"][m], "primitives"); ++p)
+      bounds_in(element(mesh, "primitives", p)).is_removed = true;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string with_extras(const std::string& json, const Model& model, const ModelBounds& bounds, const ModelBoundsOptions& options,
                         const std::string& file) {
-  std::string text = json;
-  const auto add = [&](JsonPath path, const std::string& thing, const Json& value) {
+  JsonEdit edit = without_bounds(json);
+  const auto add = [&](JsonEdit& of, const Json& value) {
     Json whole = header(bounds, options);
     whole.update(value);
-    path.push_back("extras");
-    try {
-      text = with_member(text, path, "refitlab", whole.dump());
-    } catch (const std::invalid_argument&) {
-      throw ModelError(file, thing, "its extras are no object, and nothing can be added to them");
-    }
+    bounds_in(of) = {whole.dump()};
   };
   const std::vector<BoundedPart> all = bounds_of_all(bounds);
   const auto json_of_part = [&](std::size_t p) {
@@ -89,20 +106,23 @@ std::string with_extras(const std::string& json, const Model& model, const Model
   for (std::size_t p = 0; p < bounds.parts.size(); ++p) {
     const ModelPart& part = bounds.parts[p];
     const auto index = static_cast<std::size_t>(part.index);
-    if (part.kind == PartKind::skin) add({"skins", index}, "skin " + std::to_string(index), json_of_part(p));
-    if (part.kind == PartKind::mesh) add({"meshes", index}, "mesh " + std::to_string(index), json_of_part(p));
+    if (part.kind == PartKind::skin) add(element(edit, "skins", index), json_of_part(p));
+    if (part.kind == PartKind::mesh) add(element(edit, "meshes", index), json_of_part(p));
     if (part.kind == PartKind::primitive && part.index >= 0) {
       const SourcePrimitive& source = model.sources[index];
       primitives[{source.mesh, source.primitive}].push_back(all[p]);
     }
   }
   for (const auto& [key, bounds_of_nodes] : primitives)
-    add({"meshes", static_cast<std::size_t>(key.first), "primitives", static_cast<std::size_t>(key.second)},
-        "mesh " + std::to_string(key.first) + ", primitive " + std::to_string(key.second),
+    add(element(element(edit, "meshes", static_cast<std::size_t>(key.first)), "primitives", static_cast<std::size_t>(key.second)),
         json_of_bound<Json>(around(bounds_of_nodes)));
   for (std::size_t c = 0; c < bounds.clips.size(); ++c)
-    add({"animations", c}, "animation " + std::to_string(c), json_of_clip(model, bounds, static_cast<int>(c)));
-  return text;
+    add(element(edit, "animations", c), json_of_clip(model, bounds, static_cast<int>(c)));
+  try {
+    return edited(json, edit);
+  } catch (const std::invalid_argument& e) {
+    throw ModelError(file, "extras", std::string(e.what()) + ", and nothing can be added to it");
+  }
 }
 
 }  // namespace refitlab

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/program/json_splice.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace refitlab {
 namespace {
@@ -54,73 +57,128 @@ class Scanner {
   std::size_t at_;
 };
 
-constexpr std::size_t nowhere = std::string::npos;
+// A Member of an object is at a place in the text: its name begins at `begin`, its value at `value`, and ends at `end`.
+struct Member {
+  std::string name;
+  std::size_t begin, value, end;
+};
 
-// Returns where the value of a member of the object here begins, or nowhere if there is none. end is set behind the last member's
-// value.
-std::size_t find_member(Scanner scanner, const std::string& name, std::size_t& end, bool& is_empty) {
-  std::size_t found = nowhere;
-  end = scanner.at() + 1;
+// Returns the members of the object here.
+std::vector<Member> members_of(Scanner scanner) {
+  std::vector<Member> out;
   scanner.step();
-  is_empty = scanner.here() == '}';
   while (scanner.here() != '}') {
-    const std::string member = scanner.string();
+    const std::size_t begin = scanner.at();
+    std::string name = scanner.string();
     scanner.skip_space();
-    scanner.step();                            // the colon
-    if (member == name) found = scanner.at();  // of several of one name, readers take the last
+    scanner.step();  // the colon
+    const std::size_t value = scanner.at();
     scanner.skip_value();
-    end = scanner.at();
+    out.push_back({std::move(name), begin, value, scanner.at()});
     scanner.skip_space();
     if (scanner.here() == ',') scanner.step();
   }
-  return found;
+  return out;
 }
 
-std::size_t find_element(Scanner scanner, std::size_t index) {
+// Returns where the elements of the array here begin.
+std::vector<std::size_t> elements_of(Scanner scanner) {
+  std::vector<std::size_t> out;
   scanner.step();
-  for (std::size_t i = 0; i < index; ++i) {
+  while (scanner.here() != ']') {
+    out.push_back(scanner.at());
     scanner.skip_value();
     scanner.skip_space();
-    scanner.step();  // the comma
+    if (scanner.here() == ',') scanner.step();
   }
-  return scanner.at();
+  return out;
 }
 
-std::string text_of(const JsonPath& path, std::size_t steps) {
-  std::string text;
-  for (std::size_t i = 0; i < steps; ++i)
-    text += std::holds_alternative<std::string>(path[i]) ? "/" + std::get<std::string>(path[i])
-                                                         : "/" + std::to_string(std::get<std::size_t>(path[i]));
-  return text;
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
+// Returns what is to stand where there was no value; nothing if it is only to be removed.
+std::string made(const JsonEdit& edit) {
+  if (!edit.value.empty()) return edit.value;
+  std::string out;
+  for (const auto& [name, inner] : edit.members)
+    if (const std::string value = made(inner); !value.empty()) out += (out.empty() ? "" : ",") + quoted(name) + ":" + value;
+  return out.empty() ? out : "{" + out + "}";
 }
+
+class Splicer {
+ public:
+  explicit Splicer(const std::string& text) : text_(text) {}
+
+  void edit(const JsonEdit& edit, std::size_t at, const std::string& path) {
+    if (!edit.elements.empty()) {
+      const std::vector<std::size_t> elements = elements_of(Scanner(text_, at));
+      for (const auto& [index, inner] : edit.elements) this->edit(inner, elements.at(index), path + "/" + std::to_string(index));
+    } else if (!edit.value.empty()) {
+      replace(at, end_of(at), edit.value);
+    } else if (text_[at] == '{') {
+      edit_object(edit, at, path);
+    } else if (const std::string value = made(edit); !value.empty()) {
+      if (text_.compare(at, 4, "null") != 0) throw std::invalid_argument(path + " is no object");
+      replace(at, end_of(at), value);
+    }
+  }
+
+  // Returns the text with all that was edited.
+  std::string result() {
+    out_.append(text_, done_, std::string::npos);
+    return std::move(out_);
+  }
+
+ private:
+  std::size_t end_of(std::size_t value) const {
+    Scanner scanner(text_, value);
+    scanner.skip_value();
+    return scanner.at();
+  }
+
+  // Edits come in the order of the text.
+  void replace(std::size_t from, std::size_t to, const std::string& by) {
+    out_.append(text_, done_, from - done_).append(by);
+    done_ = to;
+  }
+
+  void edit_object(const JsonEdit& edit, std::size_t at, const std::string& path) {
+    const std::vector<Member> members = members_of(Scanner(text_, at));
+    std::map<std::string, std::size_t> last;  // of several of one name, readers take the last
+    for (std::size_t i = 0; i < members.size(); ++i) last[members[i].name] = i;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const Member& member = members[i];
+      const auto found = edit.members.find(member.name);
+      if (found != edit.members.end() && found->second.is_removed) {
+        // With the comma and space before it, or behind it if no member is left before it.
+        const bool is_last = i + 1 == members.size();
+        replace(kept > 0 ? members[i - 1].end : member.begin, kept > 0 || is_last ? member.end : members[i + 1].begin, "");
+        continue;
+      }
+      ++kept;
+      if (found != edit.members.end() && last[member.name] == i)
+        this->edit(found->second, member.value, path + "/" + member.name);
+    }
+    for (const auto& [name, inner] : edit.members) {
+      const std::string value = last.contains(name) ? "" : made(inner);
+      if (value.empty()) continue;
+      const std::size_t end = members.empty() ? at + 1 : members.back().end;
+      replace(std::max(done_, end), std::max(done_, end), (kept++ > 0 ? "," : "") + quoted(name) + ":" + value);
+    }
+  }
+
+  const std::string& text_;
+  std::string out_;
+  std::size_t done_ = 0;  // of the text
+};
 
 }  // namespace
 
-std::string with_member(const std::string& text, const JsonPath& path, const std::string& name, const std::string& value) {
-  JsonPath whole = path;
-  whole.push_back(name);
-  std::size_t at = Scanner(text, text.starts_with("\xEF\xBB\xBF") ? 3 : 0).at();  // behind a byte order mark
-  for (std::size_t i = 0; i < whole.size(); ++i) {
-    if (std::holds_alternative<std::size_t>(whole[i])) {
-      at = find_element(Scanner(text, at), std::get<std::size_t>(whole[i]));
-      continue;
-    }
-    if (text[at] != '{') throw std::invalid_argument(text_of(whole, i) + " is no object");
-    const std::string& member = std::get<std::string>(whole[i]);
-    std::size_t end;
-    bool is_empty;
-    const std::size_t found = find_member(Scanner(text, at), member, end, is_empty);
-    if (found == nowhere) {
-      std::string added = value;
-      for (std::size_t k = whole.size(); k-- > i;)
-        added = (k > i ? "{" : "") + nlohmann::json(std::get<std::string>(whole[k])).dump() + ":" + added + (k > i ? "}" : "");
-      return text.substr(0, end) + (is_empty ? "" : ",") + added + text.substr(end);
-    }
-    at = found;
-  }
-  Scanner old(text, at);
-  old.skip_value();
-  return text.substr(0, at) + value + text.substr(old.at());
+std::string edited(const std::string& text, const JsonEdit& edit) {
+  Splicer splicer(text);
+  splicer.edit(edit, Scanner(text, text.starts_with("\xEF\xBB\xBF") ? 3 : 0).at(), "");  // behind a byte order mark
+  return splicer.result();
 }
 
 }  // namespace refitlab

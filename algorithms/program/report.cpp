@@ -29,6 +29,8 @@ std::vector<const ModelPart*> clusters_in(const ModelBounds& bounds, std::vector
   return out;
 }
 
+constexpr double longest_clip = 3600;  // seconds
+
 std::vector<double> sampled_times(const AnimatedJoints& joints, Sampling sampling) {
   if (sampling == Sampling::keys) return joints.times();
   const double duration = joints.times().back();
@@ -147,6 +149,12 @@ SampledMisses misses_of_sampling(const Model& model, const ModelBounds& bounds, 
     if (share > out.by) out.by = share, out.worst = static_cast<int>(c), out.time = when;
   });
   return out;
+}
+
+void check_report(const Model& model, const std::string& file) {
+  for (const Clip& clip : model.clips)
+    if (!(clip.duration <= longest_clip))
+      throw ModelError(file, "clip '" + clip.name + "'", "it is longer than an hour, too long to be sampled for a report");
 }
 
 std::string report_page(const Model& model, const ModelBounds& bounds, const std::string& file) {

@@ -23,6 +23,9 @@ inline constexpr double sampled_rate = 30;  // times a second
 // Counts misses by looking at more times than that. Misses at other times are not seen. The bounds must have clusters.
 SampledMisses misses_of_sampling(const Model& model, const ModelBounds& bounds, std::size_t clip, Sampling sampling);
 
+// Throws ModelError for a clip that is too long to be sampled. file is for the message.
+void check_report(const Model& model, const std::string& file);
+
 // Returns the page as HTML with everything in it.
 std::string report_page(const Model& model, const ModelBounds& bounds, const std::string& file);
 

@@ -82,6 +82,9 @@ void write_whole(const std::string& name, const std::string& text) {
   std::string temporary;
   const int file = open_temporary(path, temporary);
   if (file < 0) fail(path, "write", errno);
+  // Who may read the old file may read the new one. Where that cannot be said, it is as for any new file.
+  struct stat old {};
+  if (::stat(path.c_str(), &old) == 0) static_cast<void>(::fchmod(file, old.st_mode & 07777) == 0);
   const bool written = write_all(file, text) && ::fsync(file) == 0;
   const int reason = errno;
   const bool closed = ::close(file) == 0;

@@ -34,7 +34,8 @@ class JointCapsules {
   JointCapsules(const SkinnedMesh& mesh, const std::vector<JointCapsule>& capsules);
   explicit JointCapsules(const SkinnedMesh& mesh) : JointCapsules(mesh, fit_capsules(mesh)) {}
 
-  // Returns a box around the vertices, linearly skinned with exactly this pose.
+  // Returns a box around the vertices, linearly skinned with exactly this pose. Coordinates must be in the normal range of
+  // float: a model whose size is between 1e-36 and 1e36. Nothing is checked.
   Box<float> box(const JointMatrices& matrices, Target target = best_target()) const;
 
  private:

@@ -35,7 +35,8 @@ class RoundedBoxes {
   RoundedBoxes(const SkinnedMesh& mesh, const std::vector<RoundedBox>& boxes);
   RoundedBoxes(const SkinnedMesh& mesh, std::span<const Pose> expected) : RoundedBoxes(mesh, fit_rounded_boxes(mesh, expected)) {}
 
-  // Returns a box around the vertices, linearly skinned with exactly this pose.
+  // Returns a box around the vertices, linearly skinned with exactly this pose. Coordinates must be in the normal range of
+  // float: a model whose size is between 1e-36 and 1e36. Nothing is checked.
   Box<float> box(const JointMatrices& matrices, Target target = best_target()) const;
 
  private:

@@ -47,7 +47,7 @@ Caster::Caster(const Scene& scene) {
   const Box<double> bounds = scene.bounds();
   center_ = bounds.is_empty() ? Point3(Point3::Zero()) : Point3(bounds.center());
   diagonal_ = bounds.is_empty() ? 1 : std::max(bounds.edges().norm(), 1e-6);
-  // There is one thread and one instruction set, so that the picture depends neither on cores nor on the processor.
+  // The scene is built by one thread, for one instruction set, so that the picture depends neither on cores nor on the processor.
   device_ = {rtcNewDevice("threads=1,max_isa=sse4.2"), [](RTCDevice d) {
                if (d) rtcReleaseDevice(d);
              }};

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "algorithms/bake/parallel.hpp"
 #include "experiments/render/caster.hpp"
 
 namespace refitlab::render {
@@ -151,7 +152,8 @@ Image draw(const Scene& scene, const Camera& camera, const Options& options) {
   const Caster caster(scene);
   const Shader shader(caster, camera, options);
   const int n = options.supersampling;
-  for (int y = 0; y < options.height; ++y)
+  parallel_for(options.height, [&](std::size_t row) {
+    const int y = static_cast<int>(row);
     for (int x = 0; x < options.width; ++x) {
       // By interleaved gradient noise (Jimenez 2014), neighbouring pixels turn the pattern by well spread angles.
       const double angle = 2 * std::numbers::pi * std::fmod(52.9829189 * std::fmod(0.06711056 * x + 0.00583715 * y, 1.0), 1.0);
@@ -169,6 +171,7 @@ Image draw(const Scene& scene, const Camera& camera, const Options& options) {
       std::uint8_t* pixel = image.pixel(x, y);
       for (int c = 0; c < 3; ++c) pixel[c] = std::lround(255 * std::min(1.0, sum[c]));
     }
+  });
   return image;
 }
 

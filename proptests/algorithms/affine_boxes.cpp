@@ -107,6 +107,35 @@ void check_batch() {
   RC_ASSERT(double(batch.linear(a.palette)[0].radius) <= 1.001 * size + 1e-3 * all + 1e-17);
 }
 
+// A node about the origin, of one joint or of two, so wide that its radius is beyond the range of float, or nearly.
+void check_wide_batch() {
+  const double far = std::ldexp(*rc::gen::element(1., 1.5, 1.99), *rc::gen::inRange(125, 300));
+  const bool has_two_sets = *rc::gen::arbitrary<bool>();
+  SkinnedMesh mesh;
+  mesh.name = "wide";
+  mesh.joints = {{"a", -1, Point3::Zero()}, {"b", 0, Point3::Zero()}};
+  mesh.vertices = {{far, 0, 0}, {-far, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.influences.assign(3, {{0, 1.0}});
+  if (has_two_sets) mesh.influences[2] = {{1, 1.0}};
+  AffinePose pose(2, identity_map<double>());
+  for (AffineMap<double>& map : pose)
+    for (Point3& column : map.columns) column *= *rc::gen::element(0., 0x1p-30, 0.5, 1., 2.);
+  const Character c = bake(mesh, {}, {});
+  const SkinningPalette<double> palette = make_skinning_palette(mesh, c.sets, pose);
+  const std::vector<Point3> skinned = skin(mesh, c.sets, palette, Skinning::linear);
+  BatchRefit batch(c.tree, c.sets);
+  bool is_infinite = false;
+  for (const Target target : available_targets()) {
+    const Ball3<float> ball = batch.linear(palette, target)[0];
+    is_infinite = ball.radius == std::numeric_limits<float>::infinity();
+    for (const Point3& v : skinned)
+      RC_ASSERT((is_infinite || norm<double, 3>(v - ball.center.cast<double>()) <= double(ball.radius)));
+  }
+  RC_CLASSIFY(is_infinite, "all of space");
+  RC_CLASSIFY(has_two_sets, "two joint-sets");
+}
+
 void check_motion_bound() {
   const Affine a(-1074, 130);
   std::mt19937 random(a.plan.seed + 7);
@@ -431,6 +460,9 @@ PROPTEST(affine_boxes) {
            .degenerate_at_most = 0.5,
            .tags_at_least = {{"of some size", 0.3}}},
           check_batch);
+  t.holds("the batch's ball of a node that is beyond the range of float is all of space, also where joints shrink",
+          {.number_type = "float", .cases = 200, .tags_at_least = {{"all of space", 0.5}, {"two joint-sets", 0.3}}},
+          check_wide_batch);
   t.holds("the motion bound of affine joints has all vertices",
           {.number_type = "double", .cases = 400, .degenerate_at_most = 0.5}, check_motion_bound);
   t.holds("the box of an image is as large as the smaller of those of the ball and of the box",

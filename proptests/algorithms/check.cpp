@@ -612,6 +612,18 @@ Checked check_work() {
   weights[0] = "1/1" + std::string(390, '0');
   wide["pieces"][0]["weight_vertices"] = repeated(weights, 40);
   list.push_back({"many joints", wide, work});
+  for (const bool is_wide : {true, false}) {  // lists that are walked from their beginning for each place in them
+    const std::size_t joints = is_wide ? 5000 : 1, places = is_wide ? 1 : 10000, shares = is_wide ? 20 : 50000;
+    json walked = with_weight_vertices("linear", places, control);
+    json weights = repeated("0", joints);
+    weights[0] = "1";
+    walked["joint_sets"][0] = {
+        {"joints", repeated(0, joints)}, {"rotations", repeated(unturned, joints)}, {"translations", repeated(origin, joints)}};
+    walked["pieces"][0]["weight_vertices"] = repeated(weights, places);
+    for (json& vertex : walked["vertices"]) vertex["weights"] = weights;
+    walked["vertices"][0]["weight_vertices"] = repeated(0, shares), walked["vertices"][0]["shares"] = repeated("1", shares);
+    list.push_back({is_wide ? "many weights of a vertex" : "many shares in many weight vertices", walked, work});
+  }
   json dense = with_weight_vertices("spherical", 60, control);
   dense["ball"]["radius"] = "1/1" + std::string(390, '0');
   dense["pieces"][0]["reference"]["radius"] = digits(400, 1) + "/7" + std::string(390, '0');

@@ -592,6 +592,42 @@ void notes_of_models(Suite& t) {
                        "by their sums\nmesh 0, primitive 1: has no triangles, and is left out\n",
                    3, found);
   });
+  t.example("meshes that other scenes show, and rotations that are not of unit length, are told of", {}, [&] {
+    json others = json::parse(gen::built(gen::bending_tube(3)).text_file());
+    others["nodes"].push_back({{"mesh", 0}});
+    others["scenes"].push_back({{"nodes", {others["nodes"].size() - 1}}});
+    const std::string of_scene = notes_of(others);
+    std::string of_rotation[2];
+    for (const bool is_off : {false, true}) {
+      gen::RiggedGltf rig = gen::bending_tube(3);
+      for (gen::GltfTrack& track : rig.clips[0].tracks)
+        for (float& x : track.values)
+          if (track.path == "rotation") x *= is_off ? 1.005f : 1.000001f;
+      of_rotation[is_off] = notes_of(json::parse(gen::built(rig).text_file()));
+    }
+    return Checked(
+        of_scene ==
+                "1 node that shows a mesh is not in the default scene, and left out; bounds do not have what other "
+                "scenes show\n" &&
+            of_rotation[0].empty() &&
+            of_rotation[1].starts_with("clip 'bend': has rotations whose quaternions are not of unit length but off by up "
+                                       "to 0.005"),
+        3, of_scene + of_rotation[0] + of_rotation[1]);
+  });
+  t.example("a vertex that only triangles without three corners have is left out", {}, [&] {
+    gen::RiggedGltf rig = gen::bending_tube(3);
+    const Model expected = model_of_scene(gltf_scene(gen::built(rig).text_file(), "file.gltf"));
+    gen::GltfMesh& mesh = rig.meshes[0];
+    const auto far = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.push_back({100, 0, 0});
+    mesh.joints[0].push_back({0, 0, 0, 0}), mesh.weights[0].push_back({1, 0, 0, 0});
+    mesh.indices.insert(mesh.indices.begin(), {0, far, far, far, 1, far});
+    const Model read = model_of_scene(gltf_scene(gen::built(rig).text_file(), "file.gltf"));
+    const std::vector<int>& kept = read.sources[0].triangles;
+    return Checked(read.vertices == expected.vertices && read.triangles == expected.triangles && kept[0] == -1 && kept[1] == -1 &&
+                       kept[2] == 0 && read.sources[0].vertices.back() == -1,
+                   1);
+  });
   t.example("what a model says of a primitive's weights is of that primitive, whatever others are before it and behind it", {},
             [&] {
               const std::vector<std::vector<float>> kinds = {{1}, {0.9375f}, {1.03125f, 1.015625f, 0.96875f}};

@@ -32,6 +32,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/model_of_nodes.hpp"
 #include "proptests/gen/rich_gltf.hpp"
+#include "proptests/gen/rigged_gltf.hpp"
 #include "proptests/gen/temporary_folder.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
@@ -1208,6 +1209,76 @@ void what_is_behind_a_chunk(Suite& t) {
   });
 }
 
+void what_a_bake_leaves_in_order(Suite& t) {
+  t.example("a file without a chunk of buffers gets one before the bounds, which readers look for in the second place", {}, [] {
+    gen::TemporaryFolder folder;
+    const std::string in = folder.file("in.glb"), out = folder.file("out.glb");
+    const std::string text = gen::built(gen::bending_tube(3)).text_file();
+    write_whole(in, glb_of({{json_chunk, text}}, in));
+    const Called bake = call({"bake", in, out}), again = call({"bake", out, in}), check = call({"check", in});
+    const std::vector<GlbChunk> chunks = read_glb(read_whole(in), in);
+    return Checked(bake.code == 0 && again.code == 0 && check.code == 0 && chunks.size() == 3 && chunks[1].type == bin_chunk &&
+                       chunks[1].data.size() == 4 && chunks[2].type == refitlab_chunk && read_whole(in) == read_whole(out),
+                   2, bake.errors + again.errors + check.errors);
+  });
+  t.example("bounds of what the scene does not show any more are removed, and null extras make way", {}, [] {
+    gen::TemporaryFolder folder;
+    const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), moved = folder.file("moved.glb");
+    json description = json::parse(gen::built(gen::bending_tube(3)).text_file());
+    description["meshes"].push_back(description["meshes"][0]);
+    description["meshes"][0]["extras"] = nullptr, description["meshes"][1]["extras"] = {{"mine", 1}};
+    description["nodes"].push_back({{"mesh", 1}});
+    const std::size_t other = description["nodes"].size() - 1;
+    description["scenes"].push_back(description["scenes"][0]);
+    description["scenes"][1]["nodes"].push_back(other);
+    description["scene"] = 1;
+    write_whole(in, glb_of({{json_chunk, description.dump()}}, in));
+    const Called bake = call({"bake", in, out});
+    const json baked = json::parse(read_glb(read_whole(out), out)[0].data);
+    redescribe(out, moved, [](json& d) { d["scene"] = 0; });
+    const Called again = call({"bake", moved, out});
+    const json after = json::parse(read_glb(read_whole(out), out)[0].data);
+    const auto is_bounded = [](const json& mesh) { return mesh.contains("extras") && mesh["extras"].contains("refitlab"); };
+    bool good = bake.code == 0 && again.code == 0 && after["meshes"][1]["extras"] == json({{"mine", 1}});
+    for (const int m : {0, 1}) {
+      good = good && is_bounded(baked["meshes"][m]) && is_bounded(baked["meshes"][m]["primitives"][0]);
+      good = good && is_bounded(after["meshes"][m]) == (m == 0) && is_bounded(after["meshes"][m]["primitives"][0]) == (m == 0);
+    }
+    return Checked(good, 8, bake.errors + again.errors + after["meshes"].dump().substr(0, 300));
+  });
+  t.example("who may read a file may read what comes in its place", {}, [] {
+    const Rich rich(false, false);
+    const std::string file = rich.folder.file("in.glb");
+    namespace fs = std::filesystem;
+    bool good = true;
+    for (const fs::perms perms :
+         {fs::perms::owner_read | fs::perms::owner_write, fs::perms::owner_all | fs::perms::others_read}) {
+      fs::permissions(file, perms);
+      good = good && call({"bake", file, file}).code == 0 && fs::status(file).permissions() == perms;
+    }
+    return Checked(good, 2);
+  });
+  t.example("a clip that is too long to be sampled is refused for a report, before anything is written", {}, [] {
+    gen::TemporaryFolder folder;
+    const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), report = folder.file("report.html");
+    gen::RiggedGltf rig = gen::bending_tube(3);
+    rig.clips[0].tracks[0].times.back() = 1e9f;
+    gen::write_glb(rig, in);
+    const Called with = call({"bake", "--report", report, in, out});
+    const bool is_nothing_written = !std::filesystem::exists(out) && !std::filesystem::exists(report);
+    const Called without = call({"bake", in, out});
+    return Checked(with.code == 3 && with.errors.find("clip 'bend': it is longer than an hour") != std::string::npos &&
+                       is_nothing_written && without.code == 0,
+                   2, with.errors + without.errors);
+  });
+  t.example("the standard output is known by any of its names", {}, [] {
+    gen::TemporaryFolder folder;
+    write_whole(folder.file("file"), "");
+    return Checked(is_standard_output("/proc/self/fd/1") && !is_standard_output(folder.file("file")) && !is_standard_output(""),
+                   3);
+  });
+}
+
 void names_that_would_leave_their_line(Suite& t) {
   t.example("control characters of a file's names are printed by their codes, on one line", {}, [] {
     const Rich rich(false, false);
@@ -1356,7 +1427,7 @@ void wrong_calls_and_files(Suite& t) {
               std::vector<GlbChunk> other = chunks;
               other[0].data = description.dump();
               write_whole(broken, glb_of(other, broken));
-              good = good && fails(3, {"bake", broken, out}, "mesh 0: its extras are no object");
+              good = good && fails(3, {"bake", broken, out}, "extras: /meshes/0/extras is no object");
               return Checked(good, 125, wrong);
             });
 }
@@ -1410,6 +1481,7 @@ PROPTEST(program) {
   files_named_twice(t);
   help_of_each_command(t);
   what_is_behind_a_chunk(t);
+  what_a_bake_leaves_in_order(t);
   names_that_would_leave_their_line(t);
   clips_of_one_name(t);
   parts_without_a_ball_for_any_pose(t);

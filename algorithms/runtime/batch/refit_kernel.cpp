@@ -16,6 +16,7 @@ namespace {
 using S = Pack<float>;
 constexpr int pack_size = static_cast<int>(S::size());
 using PackOfFour = Pack<float, 4>;
+constexpr float beyond_float = std::numeric_limits<float>::infinity();
 
 // A Reader reads the part of a block that one pack holds, from the start on.
 class Reader {
@@ -200,7 +201,7 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
       S radius = of_set[0].radius;
       if (weight_vertices > 1) {
         center = sum * share;
-        radius = S(-std::numeric_limits<float>::infinity());  // joints that shrink have negative ones
+        radius = S(-beyond_float);  // joints that shrink have negative ones
         for (int e = 0; e < block->set_count; ++e) {
           const int m = all.sets[block->first_set + e].weight_vertex_count;
           const std::span<const Vec<S, 3>> centers(of_set[e].center, m);
@@ -209,7 +210,9 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
         }
       }
       store(center, out, first);
-      store(S((radius + r) * S(refit_radius_stretch) + S(underflow_slack)), out[3], first);
+      // An infinite radius stays so, where what joints that shrink add to it is not a number.
+      const S grown = (radius + r) * S(refit_radius_stretch) + S(underflow_slack);
+      store(choose(r < S(beyond_float), grown, r), out[3], first);
     }
 }
 
@@ -247,7 +250,7 @@ REFITLAB_KERNEL void merge_nodes(const MergedNode* nodes, int node_count, const 
     for (int k = 1; k < node->weight_vertex_count; ++k) sum += own[k];
     const float share = 1 / static_cast<float>(node->weight_vertex_count);
     const float center[3] = {sum[0] * share, sum[1] * share, sum[2] * share};
-    PackOfFour radius = -std::numeric_limits<float>::infinity();  // joints that shrink have negative ones
+    PackOfFour radius = -beyond_float;  // joints that shrink have negative ones
     for (int k = 0; k < node->weight_vertex_count; k += 4) {
       Row<float, 4> rows[4] = {own[k], own[k + 1], own[k + 2], own[k + 3]};
       transpose(rows);
@@ -260,7 +263,8 @@ REFITLAB_KERNEL void merge_nodes(const MergedNode* nodes, int node_count, const 
     }
     float* ball = balls + node->place;
     for (int i = 0; i < 3; ++i) ball[i * Lanes<float>::count] = center[i];
-    ball[3 * Lanes<float>::count] = (hmax(radius) + node->radius) * refit_radius_stretch + underflow_slack;
+    const float grown = (hmax(radius) + node->radius) * refit_radius_stretch + underflow_slack;
+    ball[3 * Lanes<float>::count] = node->radius < beyond_float ? grown : node->radius;
   }
 }
 

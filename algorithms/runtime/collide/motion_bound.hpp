@@ -23,8 +23,8 @@ class MotionBound {
   MotionBound(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning);
 
   // Returns a box in the world around everything that apply(placement, skin()) yields. pose and placement must be rigid, as
-  // check_pose requires. The box is infinite where no bound is known: for dual quaternions more than half a turn apart, for
-  // numbers that are not finite or beyond 1e15, and for rotations that are not of unit length.
+  // check_pose requires. The box is infinite where no bound is known: for dual quaternions more than half a turn apart, and for a
+  // pose whose numbers are not finite or beyond 1e15 or whose rotations are not of unit length. Of the placement, nothing is checked.
   Box<double> box(const Pose& pose, const RigidTransform<double>& placement, Target target = best_target()) {
     bool is_rigid;
     return box(pose, placement, is_rigid, target);

@@ -42,10 +42,11 @@ Definition number_leb (a b : number) : bool :=
   | _, _ => Qle_bool (fraction_of a) (fraction_of b)
   end.
 Definition quotient (a b : number) : number := Fraction (lowest (fraction_of a / fraction_of b)).
-(* Without a fraction: at most 2^-200 less, if the exponents are the same. *)
+(* Without a fraction: at most 2^-200 less. *)
 Definition dyadic_below (a b : number) : number :=
   match a, b with
-  | Dyadic m e, Dyadic n f => Dyadic (Z.shiftl m 200 / n) (e - f - 200)
+  | Dyadic m e, Dyadic n f =>
+      let places := (200 + Z.max 0 (e - f))%Z in Dyadic (Z.shiftl m places / n) (e - f - places)
   | _, _ => quotient a b
   end.
 
@@ -161,14 +162,15 @@ Proof.
   assert (Q : 0 <= real a -> 0 < real b -> 0 <= real (quotient a b) /\ real (quotient a b) * real b <= real a).
   { intros A B. split; [now apply quotient_nonneg|]. rewrite quotient_correct; lra. }
   destruct a as [m e|p], b as [n f|q]; try exact Q. clear Q. cbn [dyadic_below real]. intros A B.
-  pose proof (power2_pos e). pose proof (power2_pos f).
+  set (s := (200 + Z.max 0 (e - f))%Z). assert (S : (0 <= s)%Z) by (unfold s; lia).
+  cbn zeta. pose proof (power2_pos e). pose proof (power2_pos f).
   assert (M : (0 <= m)%Z) by (apply le_IZR; nra). assert (N : (0 < n)%Z) by (apply lt_IZR; nra).
-  rewrite Z.shiftl_mul_pow2 by lia. set (k := (m * 2 ^ 200 / n)%Z).
-  assert (K0 : (0 <= k)%Z) by (apply Z.div_pos; nia). assert (K : (k * n <= m * 2 ^ 200)%Z) by (unfold k; rewrite Z.mul_comm; apply Z.mul_div_le, N).
-  apply IZR_le in K0, K. rewrite !mult_IZR, <- power2_nat in K by lia. pose proof (power2_pos (e - f - 200)).
+  rewrite Z.shiftl_mul_pow2 by lia. set (k := (m * 2 ^ s / n)%Z).
+  assert (K0 : (0 <= k)%Z) by (apply Z.div_pos; nia). assert (K : (k * n <= m * 2 ^ s)%Z) by (unfold k; rewrite Z.mul_comm; apply Z.mul_div_le, N).
+  apply IZR_le in K0, K. rewrite !mult_IZR, <- power2_nat in K by lia. pose proof (power2_pos (e - f - s)).
   split; [nra|].
-  replace (IZR k * power2 (e - f - 200) * (IZR n * power2 f)) with (IZR k * IZR n * (power2 (e - f - 200) * power2 f)) by ring.
-  rewrite <- power2_add. set (g := (e - f - 200 + f)%Z). replace e with (200 + g)%Z by (unfold g; lia).
+  replace (IZR k * power2 (e - f - s) * (IZR n * power2 f)) with (IZR k * IZR n * (power2 (e - f - s) * power2 f)) by ring.
+  rewrite <- power2_add. set (g := (e - f - s + f)%Z). replace e with (s + g)%Z by (unfold g; lia).
   rewrite power2_add, <- Rmult_assoc. apply Rmult_le_compat_r; [left; apply power2_pos|]. lra.
 Qed.
 

@@ -6,6 +6,7 @@ open Canonical
 open Checker
 
 let most_digits, most_bits, most_work, most_halvings = 400, 8192, 500_000, 32
+let steps_a_unit = 1024
 
 let int = function `Int i when abs i < 1_000_000_000 -> i | _ -> raise (Rejected "no integer of at most 9 digits")
 let index v = let i = int v in require (i >= 0) "an index is below 0"; i
@@ -24,7 +25,10 @@ let digest v =
 
 (* --- Fractions. What is read says how long the numbers are. --- *)
 
-type lengths = { mutable scale : Integer.t; mutable all : Rational.t list }
+(* Of a document that the caller chose, numbers may be of any length. *)
+type lengths = { mutable scale : Integer.t; mutable all : Rational.t list; is_limited : bool }
+let no_numbers () = { scale = Integer.one; all = []; is_limited = true }
+let of_any_length () = { (no_numbers ()) with is_limited = false }
 
 let is_decimal s first last =
   let rec all i = i >= last || (s.[i] >= '0' && s.[i] <= '9' && all (i + 1)) in
@@ -58,11 +62,13 @@ let number lengths v =
       { Rational.num = Integer.shift_right num shared; den = Integer.shift_right den shared }
     end else Rational.make num den in
   let num, den = Rational.num q, Rational.den q in
-  if not (Integer.divisible lengths.scale den) then begin
-    lengths.scale <- Integer.lcm lengths.scale den;
-    require (Integer.numbits lengths.scale <= most_bits) "the common denominator has more than 8192 bits"
+  if lengths.is_limited then begin
+    if not (Integer.divisible lengths.scale den) then begin
+      lengths.scale <- Integer.lcm lengths.scale den;
+      require (Integer.numbits lengths.scale <= most_bits) "the common denominator has more than 8192 bits"
+    end;
+    lengths.all <- q :: lengths.all
   end;
-  lengths.all <- q :: lengths.all;
   if is_dyadic then Dyadic (num, Integer.of_int (-(Integer.trailing_zeros den)))
   else Fraction { qnum = num; qden = den }
 
@@ -145,10 +151,17 @@ let piece n skinning v = match members [ "bound"; "joint_set"; "reference"; "wei
 let vertex n v = match members [ "id"; "piece"; "position"; "shares"; "weight_vertices"; "weights" ] v with
   | [ id; piece; position; shares; weight_vertices; weights ] ->
       let shares = list (number n) shares and weights = list (number n) weights in
-      (int id, { piece_of_vertex = index piece; position = vec n position; weights; places = list index weight_vertices;
-        shares }),
-      Integer.of_int (1 + (List.length shares * List.length weights))
+      int id, { piece_of_vertex = index piece; position = vec n position; weights; places = list index weight_vertices; shares }
   | _ -> assert false
+
+(* Lists are walked from their beginning to each place: what these steps cost counts, too. *)
+let costs_of_vertices pieces vertices =
+  let counts = Array.of_list (List.map (fun p -> List.length p.weight_vertices) pieces) in
+  let cost v =
+    let i = v.piece_of_vertex in
+    let m = if i < Array.length counts then counts.(i) else 0 and n = List.length v.weights in
+    Integer.of_int (1 + (List.length v.shares * (n + (((n * n) + m) / steps_a_unit)))) in
+  List.map cost vertices
 
 let require_little_work lengths costs =
   let bits = Integer.numbits lengths.scale in
@@ -165,14 +178,13 @@ let certificate file =
   match members keys value with
   | [ about; ball; (`String _ as said); joint_sets; model; node; pieces; pose; skinning; vertices ] ->
       require (Sha256.to_hex (Sha256.string (with_text "digest" "" file)) = text said) "the digest is another one's";
-      let n = { scale = Integer.one; all = [] } in
+      let n = no_numbers () in
       let skinning = text skinning in
       let enclosing = sphere n ball in
       let joints, joint_sets = List.split (list (joint_set n skinning) joint_sets) in
       let pieces, piece_costs = List.split (list (piece n skinning) pieces) in
-      let listed, vertex_costs = List.split (list (vertex n) vertices) in
-      require_little_work n (piece_costs @ vertex_costs);
-      let ids, vertices = List.split listed in
+      let ids, vertices = List.split (list (vertex n) vertices) in
+      require_little_work n (piece_costs @ costs_of_vertices pieces vertices);
       { about = text about; of_model = digest model; of_pose = digest pose; skinning; number_of_node = int node; ids;
         sets_of_joints = joints; document = { enclosing; joint_sets; pieces; vertices } }
   | _ -> raise (Rejected "the digest is no text")
@@ -189,7 +201,7 @@ let vertex_number id = require (id >= 0) "the number of a vertex is below 0"; In
 
 let model file = match members [ "name"; "nodes"; "triangles"; "vertices" ] (parse file) with
   | [ name; nodes; triangles; vertices ] ->
-      let n = { scale = Integer.one; all = [] } in
+      let n = of_any_length () in
       let triangle v = match list int v with
         | [ a; b; c ] -> (vertex_number a, vertex_number b), vertex_number c
         | _ -> raise (Rejected "a triangle has not three vertices") in
@@ -208,7 +220,7 @@ let model file = match members [ "name"; "nodes"; "triangles"; "vertices" ] (par
 
 let pose file = match members [ "joint_sets"; "skinning" ] (parse file) with
   | [ joint_sets; skinning ] ->
-      let n = { scale = Integer.one; all = [] } in
+      let n = of_any_length () in
       let sets = Hashtbl.create 100 in
       List.iter (fun (joints, set) -> Hashtbl.replace sets joints set) (list (joint_set n (text skinning)) joint_sets);
       { pose_digest = hash file; pose_skinning = text skinning; sets }

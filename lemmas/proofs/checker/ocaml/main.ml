@@ -35,6 +35,8 @@ let prove_ball model pose text =
   Option.iter (require_of_pose c) pose;
   Printf.sprintf "%d %s pieces, said to be %s" (List.length c.document.pieces) c.skinning (string_of c.about)
 
+let too_long = "it is too long, or nested too deeply, for this program's stack"
+
 (* The exit status, the verdict and the reason. *)
 let judge prove path =
   try
@@ -42,7 +44,7 @@ let judge prove path =
     require (Unix.((stat path).st_size <= most_bytes)) "the file has more than 16777216 bytes";
     let text = read path in
     try 0, "accepted", prove text
-    with Rejected reason -> 1, "rejected", reason | Stack_overflow -> 1, "rejected", "nested too deeply"
+    with Rejected reason -> 1, "rejected", reason | Stack_overflow -> 1, "rejected", too_long
   with
   | Rejected "Not a regular file" -> 2, "unreadable", "Not a regular file"
   | Rejected reason -> 1, "rejected", reason
@@ -58,13 +60,25 @@ let files path =
 
 let say verdict path reason = Printf.printf "%s: %s: %s\n" verdict (string_of path) reason
 
+(* The functions that are extracted walk long lists by calling themselves, so the program begins again with the largest stack
+   that it may have. *)
+let () =
+  let begun = "REFITLAB_CHECKER_HAS_ITS_STACK" in
+  if Sys.getenv_opt begun = None then begin
+    Unix.putenv begun "yes";
+    let largest = "ulimit -s unlimited 2>/dev/null || ulimit -s $(ulimit -H -s) 2>/dev/null; exec \"$0\" \"$@\"" in
+    try Unix.execv "/bin/sh" (Array.append [| "sh"; "-c"; largest; Sys.executable_name |] (Array.sub Sys.argv 1 (Array.length Sys.argv - 1)))
+    with Unix.Unix_error _ -> ()
+  end
+
 (* Documents are read into lists of many short-lived numbers. *)
 let () = Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 20; space_overhead = 400 }
 
 let () =
   let bound_to reader path =
     try reader (read path) with
-    | Rejected reason | Sys_error reason -> say "unreadable" path (string_of reason); exit 2 in
+    | Rejected reason | Sys_error reason -> say "unreadable" path (string_of reason); exit 2
+    | Stack_overflow -> say "unreadable" path too_long; exit 2 in
   let prove, arguments = match List.tl (Array.to_list Sys.argv) with
     | "--pairs" :: "--against" :: first :: second :: rest ->
         let first = bound_to Pairs.body_document first in

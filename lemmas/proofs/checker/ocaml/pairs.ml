@@ -11,7 +11,6 @@ let most_work = 20_000_000
 let list_or_none read = function `List l -> List.map read l | _ -> raise (Rejected "no list")
 let triple read v = match list read v with [ a; b; c ] -> a, b, c | _ -> raise (Rejected "no list of three")
 
-let no_numbers () = { scale = Integer.one; all = [] }
 (* The bits of the common denominator and of the longest of the numbers over it. *)
 let bits n =
   let length q = Integer.numbits (Rational.num q) + Integer.numbits (Integer.divexact n.scale (Rational.den q)) in
@@ -84,7 +83,7 @@ let certificate file =
 
 (* The text of a body, if that is what the document has. *)
 let body_document text =
-  ignore (body (no_numbers ()) (parse text));
+  ignore (body (of_any_length ()) (parse text));
   text
 
 let prove against file =
