@@ -38,14 +38,14 @@ struct Options {
   SpeedSettings speed{.seconds_per_run = 0.01, .repetitions = 3};
   VolumeSettings volumes{.times_per_clip = 3, .nodes_per_level = 32, .speed = speed};
   RoundingSettings rounding{.poses = 1, .vertices_per_node = 1, .speed = speed};
-  CollisionSettings collisions{.frames = 1, .speed = {.seconds_per_run = 0.001, .repetitions = 3}};
-  TriangleGrowthSettings triangles{.frames = 1, .speed = {.seconds_per_run = 0.002, .repetitions = 3}};
+  CollisionSettings collisions{.frames = 1, .speed = {.seconds_per_run = 0.001, .repetitions = 1}};
+  TriangleGrowthSettings triangles{.frames = 1, .subdivisions = 1, .speed = {.seconds_per_run = 0.002, .repetitions = 3}};
   SyntheticSettings synthetic{.count = 2000};
-  OverTimeSettings over_time{.random_times = 100, .halvings = 4, .exact_checks = 4};
+  OverTimeSettings over_time{.random_times = 100, .halvings = 4, .exact_checks = 4, .clips = 2};
   CrossfadeSettings crossfades{.times = 5, .weights = 5, .clips = 2, .cluster_triangles = 512};
-  OverTimeGrowthSettings over_time_growth;
-  EngineSettings engines{.speed = speed};
-  DeformationSettings deformations{.speed = speed};
+  OverTimeGrowthSettings over_time_growth{.subdivisions = 1};
+  EngineSettings engines{.times_per_clip = 100, .clips = 2, .speed = speed};
+  DeformationSettings deformations{.times_per_clip = 2, .speed = speed};
   bool anew = false, check_only = false, lists_parts = false, packs_models = false;
   CertificateRequest certificate;
   // Returns whether an experiment is wanted that has something to do with a model.

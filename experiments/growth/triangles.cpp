@@ -25,9 +25,9 @@ struct Size {
   int triangles, subdivisions;
 };
 
-std::vector<Size> sizes(bool up_to_a_million) {
-  std::vector<Size> out{{1034, 0}, {2068, 0}, {4134, 0}, {8270, 0}, {16540, 0}, {8270, 1}, {8270, 2}};
-  if (up_to_a_million) out.insert(out.end(), {{8270, 3}, {16540, 3}});
+std::vector<Size> sizes(int most_subdivisions) {
+  std::vector<Size> out{{1034, 0}, {2068, 0}, {4134, 0}, {8270, 0}, {16540, 0}, {8270, 1}, {8270, 2}, {8270, 3}, {16540, 3}};
+  std::erase_if(out, [&](const Size& size) { return size.subdivisions > most_subdivisions; });
   return out;
 }
 
@@ -49,7 +49,7 @@ std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& se
   for (const char* name : detectors) kinds.push_back(&detector_kind(name));
 
   std::vector<TriangleGrowth> rows;
-  const auto all = sizes(settings.up_to_a_million);
+  const auto all = sizes(settings.subdivisions);
   int begun = 0;
   for (const Size& size : all) {
     const auto man = bake(make(size));

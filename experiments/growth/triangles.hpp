@@ -12,7 +12,7 @@ namespace refitlab {
 
 struct TriangleGrowthSettings {
   int frames = 4;
-  bool up_to_a_million = false;  // else to 132,320
+  int subdivisions = 2;  // at most: 1 goes to 33,080 triangles, 2 to 132,320, and 3 to a million
   SpeedSettings speed;
 };
 
