@@ -263,7 +263,7 @@ int main(int argc, char** argv) try {
   Units run(folder, unit_count(options, models.models.size(), deforming.size()));
   RunFile result(options);
   write_catalogue(options, models, result);
-  PictureTable pictures(options.out + "/report/pictures");
+  PictureTable pictures(options.out + "/report/pictures", options.picture_size);
   ModelResults results;
   run_over_time_on(models.models, options, run, pictures, results);
   run_engines_on(models.models, options, run, pictures, results);

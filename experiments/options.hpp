@@ -32,6 +32,7 @@ inline constexpr const char* no_character = "none";
 struct Options {
   std::string effort = "default";
   std::vector<std::string> only, files;
+  double picture_size = 0.6;            // as a share of that in the paper, in each direction
   std::vector<std::string> characters;  // of the default models those of these names, or all
   std::string models = "out/models", out = "out";
   TightnessSettings tightness{.times_per_clip = 8};

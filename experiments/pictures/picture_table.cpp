@@ -16,9 +16,11 @@ std::string css(const render::Color& c) {
 
 }  // namespace
 
-void PictureTable::draw(const render::Scene& scene, const render::Camera& camera, const render::Options& options,
+void PictureTable::draw(const render::Scene& scene, const render::Camera& camera, render::Options options,
                         const PictureSubject& subject, const std::string& file, const std::vector<PictureNumber>& numbers,
                         const std::vector<PictureLabel>& labels) {
+  for (int* side : {&options.width, &options.height}) *side = static_cast<int>(std::lround(size_ * *side));
+  options.outline *= size_;
   std::cout << "[pictures] " << folder_ << "/" << file << std::endl;
   render::draw(scene, camera, options).write_png(folder_ + "/" + file);
   empty_ = false;

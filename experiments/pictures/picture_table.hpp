@@ -34,11 +34,11 @@ struct PictureLabel {
 
 class PictureTable {
  public:
-  // folder is for the PNG files.
-  explicit PictureTable(std::string folder) : folder_(std::move(folder)) {}
+  // folder is for the PNG files. Pictures have this share of the width and height that they are drawn with otherwise.
+  explicit PictureTable(std::string folder, double size = 1) : folder_(std::move(folder)), size_(size) {}
   // Draws on white, which the page's style turns into its own ground, to a file of the folder, and adds the picture's rows.
-  void draw(const render::Scene& scene, const render::Camera& camera, const render::Options& options,
-            const PictureSubject& subject, const std::string& file, const std::vector<PictureNumber>& numbers = {},
+  void draw(const render::Scene& scene, const render::Camera& camera, render::Options options, const PictureSubject& subject,
+            const std::string& file, const std::vector<PictureNumber>& numbers = {},
             const std::vector<PictureLabel>& labels = {});
   bool empty() const { return empty_; }
   // Writes pictures.csv, picture_labels.csv (where words stand, in pixels from the upper left) and picture_colors.csv. result
@@ -47,6 +47,7 @@ class PictureTable {
 
  private:
   std::string folder_;
+  double size_;
   bool empty_ = true;
   ResultFile pictures_{{"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "figure", "file"}};
   ResultFile labels_{{"file", "label", "x", "y"}};

@@ -37,7 +37,7 @@ SECTIONS = [
 EFFORTS = {"quick": "a smoke run", "default": "a first look"}
 # This says what experiments/options.cpp's full run adds to the default one.
 FULL = ("experiments/run --full looks at all clips, samples them five to a hundred times more often, tries all detectors and up to a million triangles, "
-        "and times each call for five to fifty times as long, in more repetitions: two to three hours. The paper's numbers are of such a run.")
+        "draws larger pictures, and times each call for five to fifty times as long, in more repetitions: two to three hours. The paper's numbers are of such a run.")
 
 
 def said_of_effort(results):
