@@ -59,16 +59,15 @@ StageTimes time_stages(Detector& detector, const Scenario& e, Query query) {
 }
 
 // Goes through all frames once, and counts and checks everything.
-CollisionResult count(const AnimatedCharacter& c, const Scenario& e, Query query, const DetectorKind& kind,
+CollisionResult count(const AnimatedCharacter& c, const Scenario& e, Query query, const DetectorKind& kind, Detector& detector,
                       const PairLists& expected) {
   CollisionResult out{c.mesh.name, e.name, kind.name, kind.origin, query};
   const double n = static_cast<double>(e.frames.size());
-  const auto detector = kind.make(c);
   std::string frames;
   std::size_t of = 0;
   long all_differing = 0;
   for (std::size_t i = 0; i < e.frames.size(); ++i) {
-    const auto pairs = detector->pairs(e.frames[i], query);
+    const auto pairs = detector.pairs(e.frames[i], query);
     const long differ = differing(pairs, expected[i], query);
     if (differ > 0) frames += " " + std::to_string(i);
     all_differing += differ;
@@ -80,7 +79,7 @@ CollisionResult count(const AnimatedCharacter& c, const Scenario& e, Query query
                            std::to_string(all_differing) + " pairs differ from the " + std::to_string(of) +
                            " expected ones, in frames" + frames);
   out.differing_pairs = static_cast<double>(all_differing) / n;
-  const DetectorCounts counts = detector->counts();
+  const DetectorCounts counts = detector.counts();
   out.volume_tests = static_cast<double>(counts.volume_tests) / n;
   out.triangle_tests = static_cast<double>(counts.triangle_tests) / n;
   out.nodes_refitted = static_cast<double>(counts.nodes_refitted) / n;
@@ -91,7 +90,7 @@ CollisionResult count(const AnimatedCharacter& c, const Scenario& e, Query query
   for (std::size_t l = 0; l < of_level.size(); ++l)
     out.share_refitted.push_back(static_cast<double>(counts.refitted_by_level[l]) / (2 * n * static_cast<double>(of_level[l])));
 
-  out.stages_us = time_stages(*detector, e, query);
+  out.stages_us = time_stages(detector, e, query);
   return out;
 }
 
@@ -132,9 +131,8 @@ std::vector<CollisionResult> measure(const AnimatedCharacter& c, const Scenario&
   std::vector<CollisionResult> results;
   std::vector<Timed> timed;
   for (const DetectorKind* kind : kinds) {
-    results.push_back(count(c, e, query, *kind, expected));
     const std::shared_ptr<Detector> detector = kind->make(c);
-    detector->pairs(e.frames[0], query);  // engines build their trees in the first frame
+    results.push_back(count(c, e, query, *kind, *detector, expected));  // in whose first frame engines build their trees
     timed.push_back({kind->name, static_cast<int>(e.frames.size()), [detector, &e, query] {
                        detector->forget();
                        for (const ScenarioFrame& frame : e.frames) detector->pairs(frame, query);
