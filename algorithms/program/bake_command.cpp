@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -153,6 +154,24 @@ std::vector<std::string> parts_without_ball(const ModelBounds& bounds) {
   return out;
 }
 
+// Returns a note if the description names other files, and is to be in another folder, from which their paths do not lead to them.
+std::vector<std::string> files_left_behind(const std::string& description, const BakeCall& call) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const auto folder = [&](const std::string& file) {
+    return fs::weakly_canonical(fs::absolute(file, error), error).parent_path();
+  };
+  if (folder(call.in) == folder(call.out)) return {};
+  const auto json = nlohmann::json::parse(description);
+  std::vector<std::string> names;
+  for (const char* array : {"buffers", "images"})
+    for (const auto& thing : json.value(array, nlohmann::json::array()))
+      if (const std::string uri = thing.value("uri", "data:"); !uri.starts_with("data:")) names.push_back(uri);
+  if (names.empty()) return {};
+  return {"names " + std::to_string(names.size()) + (names.size() == 1 ? " file" : " files") + ", such as '" + names[0] +
+          "', by the path from its own folder; to be found, they have to be copied there, too"};
+}
+
 int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& errors) {
   const po::variables_map map = parse_arguments(arguments, options(), {"IN.glb", "OUT.glb"});
   if (map.count("help")) {
@@ -190,7 +209,10 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto peak_of_bounding = peak_megabytes();
-  if (!map.count("quiet")) print_notes(call.in, parts_without_ball(bounds), errors);
+  if (!map.count("quiet")) {
+    print_notes(call.in, parts_without_ball(bounds), errors);
+    print_notes(call.out, files_left_behind(chunks[0].data, call), errors);
+  }
 
   chunks[0].data = with_extras(chunks[0].data, model, bounds, call.bounds, call.in);
   std::erase_if(chunks, [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });

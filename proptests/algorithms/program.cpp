@@ -1271,6 +1271,25 @@ void what_a_bake_leaves_in_order(Suite& t) {
                        is_nothing_written && without.code == 0,
                    2, with.errors + without.errors);
   });
+  t.example("files that another one names are told of where it goes to another folder without them", {}, [] {
+    gen::TemporaryFolder folder;
+    const std::string in = folder.file("in.glb"), beside = folder.file("out.glb"), away = folder.file("other/out.glb");
+    json description = json::parse(gen::built(gen::bending_tube(3)).text_file());
+    const std::string uri = description["buffers"][0]["uri"];
+    const std::size_t length = description["buffers"][0]["byteLength"];
+    write_whole(in, glb_of({{json_chunk, description.dump()}}, in));
+    const Called whole = call({"bake", in, away});
+    gen::write_glb(gen::bending_tube(3), in);
+    write_whole(folder.file("in.bin"), read_glb(read_whole(in), in)[1].data);
+    description["buffers"][0] = {{"byteLength", length}, {"uri", "in.bin"}};
+    write_whole(in, glb_of({{json_chunk, description.dump()}}, in));
+    const Called same = call({"bake", in, beside}), other = call({"bake", in, away});
+    const std::string note = "names 1 file, such as 'in.bin', by the path from its own folder";
+    return Checked(whole.code == 0 && same.code == 0 && other.code == 0 &&
+                       whole.errors.find("names 1 file") == std::string::npos &&
+                       same.errors.find("names 1 file") == std::string::npos && other.errors.find(note) != std::string::npos,
+                   3, whole.errors + same.errors + other.errors);
+  });
   t.example("the standard output is known by any of its names", {}, [] {
     gen::TemporaryFolder folder;
     write_whole(folder.file("file"), "");
