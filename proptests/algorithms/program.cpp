@@ -1258,6 +1258,9 @@ void what_a_bake_leaves_in_order(Suite& t) {
     }
     return Checked(good, 2);
   });
+}
+
+void what_a_bake_refuses_or_says(Suite& t) {
   t.example("a clip that is too long to be sampled is refused for a report, before anything is written", {}, [] {
     gen::TemporaryFolder folder;
     const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), report = folder.file("report.html");
@@ -1501,6 +1504,7 @@ PROPTEST(program) {
   help_of_each_command(t);
   what_is_behind_a_chunk(t);
   what_a_bake_leaves_in_order(t);
+  what_a_bake_refuses_or_says(t);
   names_that_would_leave_their_line(t);
   clips_of_one_name(t);
   parts_without_a_ball_for_any_pose(t);
