@@ -38,21 +38,21 @@ std::size_t scalars_of(const Eigen::VectorXd& v) { return static_cast<std::size_
 std::size_t scalars_of(const Eigen::Vector3d&) { return 1; }
 std::size_t scalars_of(const Eigen::Quaterniond&) { return 1; }
 
+// Returns by how much the length of a value is off that of a rotation. Other values have any length.
+double off_unit_length(const Eigen::Quaterniond& q) { return std::abs(q.norm() - 1); }
+template <class Other>
+double off_unit_length(const Other&) {
+  return 0;
+}
+
 // Returns why a value cannot be a key, or nothing if it can.
 std::string complaint(const Eigen::Vector3d& v, Interpolation) { return v.allFinite() ? "" : "not finite"; }
 std::string complaint(const Eigen::VectorXd& v, Interpolation) { return v.allFinite() ? "" : "not finite"; }
 std::string complaint(const Eigen::Quaterniond& q, Interpolation interpolation) {
   if (!q.coeffs().allFinite()) return "not finite";
   if (!(q.norm() > least_rotation)) return "a rotation by a zero quaternion";
-  const bool unit = std::abs(q.norm() - 1) <= unit_length_tolerance;
+  const bool unit = off_unit_length(q) <= unit_length_tolerance;
   return unit || interpolation != Interpolation::cubic ? "" : "a spline's rotation by a quaternion that is not of unit length";
-}
-
-// Returns by how much the length of a value is off that of a rotation. Other values have any length.
-double off_unit_length(const Eigen::Quaterniond& q) { return std::abs(q.norm() - 1); }
-template <class Other>
-double off_unit_length(const Other&) {
-  return 0;
 }
 
 class ClipReader {

@@ -109,14 +109,14 @@ class Splicer {
  public:
   explicit Splicer(const std::string& text) : text_(text) {}
 
-  void edit(const JsonEdit& edit, std::size_t at, const std::string& path) {
+  void apply(const JsonEdit& edit, std::size_t at, const std::string& path) {
     if (!edit.elements.empty()) {
       const std::vector<std::size_t> elements = elements_of(Scanner(text_, at));
-      for (const auto& [index, inner] : edit.elements) this->edit(inner, elements.at(index), path + "/" + std::to_string(index));
+      for (const auto& [index, inner] : edit.elements) apply(inner, elements.at(index), path + "/" + std::to_string(index));
     } else if (!edit.value.empty()) {
       replace(at, end_of(at), edit.value);
     } else if (text_[at] == '{') {
-      edit_object(edit, at, path);
+      apply_to_object(edit, at, path);
     } else if (const std::string value = made(edit); !value.empty()) {
       if (text_.compare(at, 4, "null") != 0) throw std::invalid_argument(path + " is no object");
       replace(at, end_of(at), value);
@@ -142,7 +142,7 @@ class Splicer {
     done_ = to;
   }
 
-  void edit_object(const JsonEdit& edit, std::size_t at, const std::string& path) {
+  void apply_to_object(const JsonEdit& edit, std::size_t at, const std::string& path) {
     const std::vector<Member> members = members_of(Scanner(text_, at));
     std::map<std::string, std::size_t> last;  // of several of one name, readers take the last
     for (std::size_t i = 0; i < members.size(); ++i) last[members[i].name] = i;
@@ -157,14 +157,13 @@ class Splicer {
         continue;
       }
       ++kept;
-      if (found != edit.members.end() && last[member.name] == i)
-        this->edit(found->second, member.value, path + "/" + member.name);
+      if (found != edit.members.end() && last[member.name] == i) apply(found->second, member.value, path + "/" + member.name);
     }
     for (const auto& [name, inner] : edit.members) {
       const std::string value = last.contains(name) ? "" : made(inner);
       if (value.empty()) continue;
-      const std::size_t end = members.empty() ? at + 1 : members.back().end;
-      replace(std::max(done_, end), std::max(done_, end), (kept++ > 0 ? "," : "") + quoted(name) + ":" + value);
+      const std::size_t end = std::max(done_, members.empty() ? at + 1 : members.back().end);
+      replace(end, end, (kept++ > 0 ? "," : "") + quoted(name) + ":" + value);
     }
   }
 
@@ -177,7 +176,7 @@ class Splicer {
 
 std::string edited(const std::string& text, const JsonEdit& edit) {
   Splicer splicer(text);
-  splicer.edit(edit, Scanner(text, text.starts_with("\xEF\xBB\xBF") ? 3 : 0).at(), "");  // behind a byte order mark
+  splicer.apply(edit, Scanner(text, text.starts_with("\xEF\xBB\xBF") ? 3 : 0).at(), "");  // behind a byte order mark
   return splicer.result();
 }
 

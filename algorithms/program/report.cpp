@@ -19,6 +19,7 @@ namespace {
 
 constexpr int frames_shown = 32;       // of a clip
 constexpr int moments_between = 8;     // looked at between two sampled times
+constexpr double longest_clip = 3600;  // seconds
 constexpr int moments_on_chart = 100;  // or more
 constexpr double least_miss = 1e-6;    // as a share of a side: less is rounding
 
@@ -28,8 +29,6 @@ std::vector<const ModelPart*> clusters_in(const ModelBounds& bounds, std::vector
     if (bounds.parts[p].kind == PartKind::cluster) out.push_back(&bounds.parts[p]), positions.push_back(p);
   return out;
 }
-
-constexpr double longest_clip = 3600;  // seconds
 
 std::vector<double> sampled_times(const AnimatedJoints& joints, Sampling sampling) {
   if (sampling == Sampling::keys) return joints.times();
