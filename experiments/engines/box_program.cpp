@@ -14,11 +14,12 @@ namespace {
 // Positions of a joint's variables: of the center and the half extents three each.
 constexpr int of_center = 0, of_half = 3, of_radius = 6;
 constexpr double farthest = 4, farthest_wall = 1e4;  // in units of the mesh's size
-constexpr double share_of_hidden = 0.005;            // of what a box at a wall counts
+constexpr double share_of_hidden = 0.001;            // of what a box at a wall counts
 constexpr double tolerance = 2e-4;
 constexpr int most_rounds = 40;
-constexpr std::size_t rows_a_wall = 2;  // in one round
-constexpr double least_edge = 1e-3;     // a flat character's volume does not grow with its edges
+constexpr std::size_t rows_a_wall = 2;         // in one round
+constexpr double most_growth_by_balls = 0.06;  // much more than after the next solution
+constexpr double least_edge = 1e-3;            // a flat character's volume does not grow with its edges
 
 // A unit vector for which the distance of a point from a box's core is greatest; 0 inside of it.
 Point3 direction_from(const RoundedBox& box, const Point3& point) {
@@ -79,10 +80,22 @@ BoxProgram::BoxProgram(const SkinnedMesh& mesh, std::span<const Pose> expected, 
 void BoxProgram::run() {
   for (int round = 0; round < most_rounds; ++round) {
     set_costs();
-    const double beyond = add_wall_rows(round == 0 ? -infinite : tolerance / 2), lack = add_vertex_rows();
+    const double beyond = add_wall_rows(is_solved_ ? tolerance / 2 : -infinite), lack = add_vertex_rows();
     if (round > 0 && beyond < tolerance && lack < tolerance) return;
     if (!program_.solve()) return;
     take_solution();
+  }
+}
+
+void BoxProgram::make_balls() {
+  constexpr std::size_t of_block = Lanes<float>::count;
+  for (std::size_t first = 0; first < boxes_.size(); first += of_block) {
+    const std::size_t last = std::min(first + of_block, boxes_.size());
+    if (growth_by_balls(first, last) > most_growth_by_balls) continue;
+    for (std::size_t j = first; j < last; ++j) {
+      if (first_[j] < 0) continue;
+      for (int k = 0; k < 3; ++k) program_.set_most(first_[j] + of_half + k, 0);
+    }
   }
 }
 
@@ -103,6 +116,22 @@ double BoxProgram::reach(const Wall& wall, std::size_t joint) const {
   const RoundedBox& box = boxes_[joint];
   return wall.side * (dot<double, 3>(placed.rows[wall.axis], box.center) + placed.offset[wall.axis]) +
          dot<double, 3>(placed.rows[wall.axis].cwiseAbs(), box.half) + box.radius;
+}
+
+// The mean growth of the character's boxes, as a share of the volume, if all of these joints had balls around their boxes.
+double BoxProgram::growth_by_balls(std::size_t first, std::size_t last) const {
+  double sum = 0;
+  for (const Wall& wall : walls_) {
+    double most = 0;
+    for (std::size_t j = first; j < last; ++j) {
+      if (first_[j] < 0) continue;
+      const double of_box = dot<double, 3>(poses_[wall.pose][j].rows[wall.axis].cwiseAbs(), boxes_[j].half),
+                   of_ball = norm<double, 3>(boxes_[j].half);
+      most = std::max(most, reach(wall, j) + of_ball - of_box - wall.value);
+    }
+    sum += most / edge(wall.pose, wall.axis);
+  }
+  return sum / static_cast<double>(poses_.size());
 }
 
 // A row for the farthest boxes that are beyond a wall by more than this. Returns how far the farthest is beyond its wall.
@@ -189,13 +218,14 @@ void BoxProgram::set_costs() {
 }
 
 void BoxProgram::take_solution() {
+  is_solved_ = true;
   for (std::size_t j = 0; j < boxes_.size(); ++j) {
     if (first_[j] < 0) continue;
     for (int i = 0; i < 3; ++i) {
       boxes_[j].center[i] = program_.value(first_[j] + of_center + i);
-      boxes_[j].half[i] = std::max(0., program_.value(first_[j] + of_half + i));
+      boxes_[j].half[i] = program_.value(first_[j] + of_half + i);
     }
-    boxes_[j].radius = std::max(0., program_.value(first_[j] + of_radius));
+    boxes_[j].radius = program_.value(first_[j] + of_radius);
   }
   for (std::size_t w = 0; w < walls_.size(); ++w) walls_[w].value = program_.value(first_wall_ + static_cast<int>(w));
 }

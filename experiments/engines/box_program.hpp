@@ -22,9 +22,12 @@ class BoxProgram {
   // Begins with boxes that are sound. Poses are at least one. The mesh outlives this.
   BoxProgram(const SkinnedMesh& mesh, std::span<const Pose> expected, const std::vector<RoundedBox>& boxes);
 
-  // Until no vertex is beyond the boxes by more than a share of the mesh's size, and no box beyond its walls, or a number of
+  // Goes on until no vertex is beyond the boxes by more than a share of the mesh's size, and no box beyond its walls, or a number of
   // rounds is over. The radii are then to be raised where they lack (weighted_radii).
   void run();
+  // From now on, the boxes of some blocks of joints are balls: of those of which balls around the last solution's boxes would make
+  // the character's boxes hardly larger.
+  void make_balls();
   // By joint.
   std::vector<RoundedBox> boxes() const;
 
@@ -43,6 +46,7 @@ class BoxProgram {
   // Of the character's box, in the last solution; no less than a small length.
   double edge(std::size_t pose, int axis) const;
   double reach(const Wall& wall, std::size_t joint) const;
+  double growth_by_balls(std::size_t first, std::size_t last) const;
   double add_wall_rows(double least);
   double add_vertex_rows();
   void set_costs();
@@ -58,6 +62,7 @@ class BoxProgram {
   std::vector<int> first_;                       // by joint: the first of its variables, -1 of one that moves no vertex
   LinearProgram program_;
   int first_wall_;  // variable
+  bool is_solved_ = false;
 };
 
 }  // namespace refitlab

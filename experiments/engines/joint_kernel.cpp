@@ -8,14 +8,23 @@ namespace {
 
 constexpr int block_lanes = motion_bound_lanes;  // joints of a block
 
+// Returns numbers that are read once. A compiler that finds them in memory reads them anew for each use, which costs more.
+[[gnu::always_inline]] inline S load_once(const float* numbers) {
+  auto row = __builtin_bit_cast(Row<float, width>, load(numbers));
+#ifdef __x86_64__
+  asm("" : "+v"(row));
+#endif
+  return __builtin_bit_cast(S, row);
+}
+
 // Of some joints of a block, of which the numbers' first one is given: row `row` of their matrices, with the translation behind.
 struct MatrixRow {
   S x, y, z, t;
 
   [[gnu::always_inline]] MatrixRow(const float* matrices, int row)
-      : x(load(matrices + (4 * row + 0) * block_lanes)),
-        y(load(matrices + (4 * row + 1) * block_lanes)),
-        z(load(matrices + (4 * row + 2) * block_lanes)),
+      : x(load_once(matrices + (4 * row + 0) * block_lanes)),
+        y(load_once(matrices + (4 * row + 1) * block_lanes)),
+        z(load_once(matrices + (4 * row + 2) * block_lanes)),
         t(load(matrices + (4 * row + 3) * block_lanes)) {}
   [[gnu::always_inline]] S image(const Point& p) const { return x * p[0] + (y * p[1] + (z * p[2] + t)); }
   [[gnu::always_inline]] S extent(const Point& h, const S& radius) const {
@@ -25,8 +34,8 @@ struct MatrixRow {
 };
 
 [[gnu::always_inline]] inline Point load_row(const float* numbers, int number) {
-  return {load(numbers + number * block_lanes), load(numbers + (number + 1) * block_lanes),
-          load(numbers + (number + 2) * block_lanes)};
+  return {load_once(numbers + number * block_lanes), load_once(numbers + (number + 1) * block_lanes),
+          load_once(numbers + (number + 2) * block_lanes)};
 }
 
 using Four = Row<float, 4>;
@@ -53,8 +62,8 @@ inline Four greater_of(const Four& a, const Four& b) { return a < b ? b : a; }
   return greater_of(__builtin_shufflevector(two, one, 0, 1, 4, 4), __builtin_shufflevector(two, one, 2, 3, 5, 5));
 }
 
-// Merges what add(matrices, volumes, merge) merges for some joints of a block: by axis how far they reach against it, and along
-// it. volume_numbers: by joint. is_grown: along each axis by lost times the greatest absolute value.
+// Merges what add(block, matrices, volumes, merge) merges for some joints of a block: by axis how far they reach against it, and
+// along it. volume_numbers: by joint. is_grown: along each axis by lost times the greatest absolute value.
 template <int volume_numbers, bool is_grown, class Add>
 [[gnu::always_inline]] inline void merge_joints(const float* matrices, const float* volumes, int blocks, float lost, float* out,
                                                 const Add& add) {
@@ -62,7 +71,7 @@ template <int volume_numbers, bool is_grown, class Add>
   for (int block = 0; block < blocks; ++block)
     for (int first = 0; first < block_lanes; first += width)
       add(
-          matrices + block * matrix_numbers * block_lanes + first, volumes + block * volume_numbers * block_lanes + first,
+          block, matrices + block * matrix_numbers * block_lanes + first, volumes + block * volume_numbers * block_lanes + first,
           [&](int axis, const S& reach_against, const S& reach_along) __attribute__((always_inline)) {
             against[axis] = max_of(against[axis], reach_against), along[axis] = max_of(along[axis], reach_along);
           });
@@ -91,37 +100,50 @@ REFITLAB_KERNEL void make_matrices(const double* pose, int joint_count, float* s
   }
 }
 
-// Merges boxes of half extents, rounded by a radius where numbers are those of rounded boxes, whose results alone are grown.
-template <int numbers, bool is_rounded = numbers == rounded_box_numbers>
-[[gnu::always_inline]] inline void merge_boxes_of(const float* matrices, const float* boxes, int blocks, float lost, float* out) {
-  merge_joints<numbers, is_rounded>(
-      matrices, boxes, blocks, lost, out,
-      [](const float* some, const float* box, const auto& merge) __attribute__((always_inline)) {
-        const Point center = load_row(box, 0), half = load_row(box, 3);
+// Merges what is about these centers: extent(row) by row of their joints' matrices.
+template <class Merge, class Extent>
+[[gnu::always_inline]] inline void merge_about(const float* matrices, const float* centers, const Merge& merge,
+                                               const Extent& extent) {
+  const Point center = load_row(centers, 0);
 #pragma GCC unroll 3
-        for (int axis = 0; axis < 3; ++axis) {
-          const MatrixRow row(some, axis);
-          const S middle = row.image(center);
-          S extent;
-          if constexpr (is_rounded) extent = row.extent(half, load(box + 6 * block_lanes));
-          else extent = row.extent(half);
-          merge(axis, extent - middle, extent + middle);
-        }
-      });
+  for (int axis = 0; axis < 3; ++axis) {
+    const MatrixRow row(matrices, axis);
+    const S middle = row.image(center), reach = extent(row);
+    merge(axis, reach - middle, reach + middle);
+  }
 }
 
 REFITLAB_KERNEL void merge_boxes(const float* matrices, const float* boxes, int blocks, float* out) {
-  merge_boxes_of<box_numbers>(matrices, boxes, blocks, 0, out);
+  merge_joints<box_numbers, false>(
+      matrices, boxes, blocks, 0, out,
+      [](int, const float* some, const float* box, const auto& merge) __attribute__((always_inline)) {
+        const Point half = load_row(box, 3);
+        merge_about(
+            some, box, merge, [&](const MatrixRow& row) __attribute__((always_inline)) { return row.extent(half); });
+      });
 }
 
-REFITLAB_KERNEL void merge_rounded_boxes(const float* matrices, const float* boxes, int blocks, float lost, float* out) {
-  merge_boxes_of<rounded_box_numbers>(matrices, boxes, blocks, lost, out);
+REFITLAB_KERNEL void merge_rounded_boxes(const float* matrices, const float* boxes, const unsigned char* are_balls, int blocks,
+                                         float lost, float* out) {
+  merge_joints<rounded_box_numbers, true>(
+      matrices, boxes, blocks, lost,
+      out, [are_balls](int block, const float* some, const float* box, const auto& merge) __attribute__((always_inline)) {
+        const S radius = load_once(box + 6 * block_lanes);
+        if (are_balls[block]) {
+          merge_about(
+              some, box, merge, [&](const MatrixRow&) __attribute__((always_inline)) { return radius; });
+        } else {
+          const Point half = load_row(box, 3);
+          merge_about(
+              some, box, merge, [&](const MatrixRow& row) __attribute__((always_inline)) { return row.extent(half, radius); });
+        }
+      });
 }
 
 REFITLAB_KERNEL void merge_capsules(const float* matrices, const float* capsules, int blocks, float lost, float* out) {
   merge_joints<capsule_numbers, true>(
       matrices, capsules, blocks, lost, out,
-      [](const float* some, const float* capsule, const auto& merge) __attribute__((always_inline)) {
+      [](int, const float* some, const float* capsule, const auto& merge) __attribute__((always_inline)) {
         const Point one = load_row(capsule, 0), other = load_row(capsule, 3);
         const S radius = load(capsule + 6 * block_lanes);
 #pragma GCC unroll 3
@@ -135,6 +157,6 @@ REFITLAB_KERNEL void merge_capsules(const float* matrices, const float* capsules
 
 }  // namespace
 
-const JointKernels joint_kernels = {make_matrices, merge_boxes, merge_rounded_boxes, merge_capsules};
+const JointKernels joint_kernels = {make_matrices, merge_boxes, merge_capsules, merge_rounded_boxes};
 
 }  // namespace refitlab::REFITLAB_TARGET

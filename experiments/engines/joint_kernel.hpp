@@ -22,9 +22,11 @@ struct JointKernels {
   void (*matrices)(const double* pose, int joint_count, float* scratch, int blocks, float* matrices);
   // out: the least x, y, z, then the greatest.
   void (*boxes)(const float* matrices, const float* boxes, int blocks, float* out);
-  // Likewise, grown along each axis by lost times the greatest absolute value of what comes out.
-  void (*rounded_boxes)(const float* matrices, const float* boxes, int blocks, float lost, float* out);
+  // These are grown along each axis by lost times the greatest absolute value of what comes out.
   void (*capsules)(const float* matrices, const float* capsules, int blocks, float lost, float* out);
+  // are_balls: by block, whether all half extents are 0, which then are not read.
+  void (*rounded_boxes)(const float* matrices, const float* boxes, const unsigned char* are_balls, int blocks, float lost,
+                        float* out);
 };
 
 namespace baseline {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/engines/linear_program.hpp"
 
+#include <algorithm>
+
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
@@ -9,6 +11,18 @@ int LinearProgram::add_variable(double least, double most) {
   const int column = glp_add_cols(program_.get(), 1);
   glp_set_col_bnds(program_.get(), column, least < most ? GLP_DB : GLP_FX, least, most);
   return column - 1;
+}
+
+void LinearProgram::set_most(int variable, double most) {
+  const int column = variable + 1;
+  const double least = glp_get_col_lb(program_.get(), column);
+  glp_set_col_bnds(program_.get(), column, least < most ? GLP_DB : GLP_FX, least, most);
+}
+
+double LinearProgram::value(int variable) const {
+  const int column = variable + 1;
+  return std::clamp(glp_get_col_prim(program_.get(), column), glp_get_col_lb(program_.get(), column),
+                    glp_get_col_ub(program_.get(), column));
 }
 
 void LinearProgram::add_row(const std::vector<ProgramTerm>& terms, double least) {

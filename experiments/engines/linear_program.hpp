@@ -21,6 +21,8 @@ class LinearProgram {
 
   // The position of a new variable, which is at least `least` and at most `most`, both finite.
   int add_variable(double least, double most);
+  // From now on, a variable is at most this, which is no less than the least that it may be.
+  void set_most(int variable, double most);
   // What a variable counts in the sum that is to be least; 0 at first.
   void set_cost(int variable, double cost) { glp_set_obj_coef(program_.get(), variable + 1, cost); }
   // The sum of the terms is at least this. A variable is in a row once at most.
@@ -28,8 +30,8 @@ class LinearProgram {
 
   // False if no least sum is found.
   bool solve();
-  // Of the last solution.
-  double value(int variable) const { return glp_get_col_prim(program_.get(), variable + 1); }
+  // Of the last solution, within the variable's bounds.
+  double value(int variable) const;
 
  private:
   std::unique_ptr<glp_prob, decltype(&glp_delete_prob)> program_;

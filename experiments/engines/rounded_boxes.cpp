@@ -51,13 +51,16 @@ std::vector<RoundedBox> fit_rounded_boxes(const SkinnedMesh& mesh, std::span<con
   if (expected.empty()) expected = {&reference, 1};
   BoxProgram program(mesh, expected, boxes_around_all(mesh));
   program.run();
+  program.make_balls();
+  program.run();
   std::vector<RoundedBox> boxes = program.boxes();
   make_sound(mesh, boxes);
   return boxes;
 }
 
 RoundedBoxes::RoundedBoxes(const SkinnedMesh& mesh, const std::vector<RoundedBox>& boxes)
-    : numbers_(rounded_box_numbers, mesh.joints.size()) {
+    : numbers_(rounded_box_numbers, mesh.joints.size()),
+      are_balls_(static_cast<std::size_t>(numbers_.blocks()), true) {
   const DefaultFloatEnvironment environment;
   for (int j = 0; j < numbers_.padded_count(); ++j) numbers_.at(6, j) = extent_of_nothing;
   for (std::size_t j = 0; j < boxes.size(); ++j) {
@@ -67,6 +70,7 @@ RoundedBoxes::RoundedBoxes(const SkinnedMesh& mesh, const std::vector<RoundedBox
       numbers_.at(i, static_cast<int>(j)) = static_cast<float>(b.center[i]);
       numbers_.at(3 + i, static_cast<int>(j)) = float_above(b.half[i] * (1 + share_of_stretch));
     }
+    if (b.half != Point3::Zero()) are_balls_[j / Lanes<float>::count] = false;
     const double farthest = norm<double, 3>(b.center) + norm<double, 3>(b.half);
     numbers_.at(6, static_cast<int>(j)) = float_above(b.radius * (1 + share_of_stretch) + 2.1 * lost_of_boxes * farthest);
   }
@@ -75,7 +79,8 @@ RoundedBoxes::RoundedBoxes(const SkinnedMesh& mesh, const std::vector<RoundedBox
 Box<float> RoundedBoxes::box(const JointMatrices& matrices, Target target) const {
   const DefaultFloatEnvironment environment;
   float out[6];
-  joint_kernels(target).rounded_boxes(matrices.data(), numbers_.data(), numbers_.blocks(), 2 * lost_of_boxes, out);
+  joint_kernels(target).rounded_boxes(matrices.data(), numbers_.data(), are_balls_.data(), numbers_.blocks(), 2 * lost_of_boxes,
+                                      out);
   return box_of_numbers(out);
 }
 

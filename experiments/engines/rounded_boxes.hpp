@@ -4,6 +4,8 @@
 // (a4_joint_volumes), which makes the boxes sound for rigid joints in every pose. Among sound boxes, a linear program picks those that
 // make the box of the character small (box_program.hpp) in poses that are expected, such as those of clips.
 //
+// A block of joints, as kernels take them, has balls instead, which cost less, where that makes the character's box hardly larger.
+//
 // Rounding. Let u = 2^-24. Entries of matrices from quaternions in float have an error below 10 u, an image of p has four
 // roundings of each of its products, and a quaternion whose squared length is off by 1e-6 turns p by 34 u of its length:
 // together, of the coordinate along an axis, below 256 u (||p|| + |t|), where t is the joint's translation along it, which is
@@ -41,6 +43,7 @@ class RoundedBoxes {
 
  private:
   JointNumbers numbers_;
+  std::vector<unsigned char> are_balls_;  // by block
 };
 
 }  // namespace refitlab

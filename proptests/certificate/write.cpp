@@ -9,6 +9,7 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/certificate/documents.hpp"
+#include "algorithms/certificate/limits.hpp"
 #include "algorithms/certificate/sha256.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/results/write_whole.hpp"
@@ -39,7 +40,8 @@ class Writer {
       else write_some(AnimatedCharacter{bake(gen::make_mesh(some_plan())), {}});
       if (which >= procedural && which < characters.size()) of_real_models_ += left - left_;
     }
-    std::cout << of_real_models_ << " certificates of balls are of real models\n";
+    std::cout << of_real_models_ << " certificates of balls are of real models\n"
+              << too_large_ << " more are not written, since checkers refuse them for their size\n";
   }
 
  private:
@@ -92,10 +94,11 @@ class Writer {
     if (std::isinf(ball.radius)) return;
     const std::string about = "node " + std::to_string(n) + " of " + c.mesh.name + ", by " + variant.name;
     const std::string text = certificate(node, skinning, ball, certified_node(c, n, about, model_digest, pose_digest));
-    write_whole((group / (std::to_string(left_--) + ".json")).string(), text);
+    if (!refusal_of_certificate(text).empty()) ++too_large_;
+    else write_whole((group / (std::to_string(left_--) + ".json")).string(), text);
   }
 
-  long left_, of_real_models_ = 0, groups_ = 0;
+  long left_, of_real_models_ = 0, too_large_ = 0, groups_ = 0;
   std::mt19937 random_;
   std::filesystem::path folder_;
 };
