@@ -109,7 +109,7 @@ def engines_block(results):
     reference = engines.row_of(results, "joint_boxes", "linear")
     twisted = {s: engines.row_of(results, engines.OURS, s)["twists"] for s in over_time.SKINNINGS}
     undecided = round(sum(row.value for row in results.find("engines", quantity="undecided")))
-    unseen = engines.unseen(results)
+    unseen, (costliest, most) = engines.unseen(results), engines.costliest(results, engines.OURS)
     of_others = (f". For {unseen['clips']} clips, boxes were\nalso fitted to the model's other clips alone. They have {unseen['mean']:.3f}, where boxes fitted to all clips have "
                  f"{unseen['fitted']:.3f} and the true box {unseen['true']:.3f}") if unseen else ""
     any_ratio = {s: engines.row_of(results, "motion_bound", s) for s in ("dual_quaternion", "spherical")}
@@ -124,7 +124,7 @@ of skinning, in which a vertex is outside; where double precision cannot tell, {
 
 The goal for rounded boxes is {goals['volume']} of the volume of joint boxes on average or less, at no higher cost. They have {volume['mean']:.3f}, {'as they should' if volume['mean'] <= goals['volume'] else 'more than they should'}, where the
 true box has {volume['true']:.3f}; {volume['reached']} of {volume['clips']} clips are within the goal. They are fitted to twelve poses of each of these clips{of_others}. Their cost is {cost['ratio']:.2f} of that of joint boxes from a pose, and {cost['ratio_of_matrices']:.2f} from the matrices that
-skinning needs anyway, {'as it should be' if max(cost['ratio'], cost['ratio_of_matrices']) <= goals['cost'] else 'more than it should be'}. Rounded boxes and capsules are sound for linear skinning alone: when each joint is twisted by 90 to 179 degrees, rounded boxes miss a vertex in {twisted['linear'][0]} of
+skinning needs anyway, {'as it should be' if max(cost['ratio'], cost['ratio_of_matrices']) <= goals['cost'] else 'more than it should be'}; that is a mean, and the most is {most:.2f}, of {costliest}. Rounded boxes and capsules are sound for linear skinning alone: when each joint is twisted by 90 to 179 degrees, rounded boxes miss a vertex in {twisted['linear'][0]} of
 {twisted['linear'][1]} poses with linear, {twisted['dual_quaternion'][0]} with dual quaternion and {twisted['spherical'][0]} with spherical skinning. The motion bound is sound for all three. It has {any_ratio['dual_quaternion']['volume_ratio']:.2f} and {any_ratio['spherical']['volume_ratio']:.2f} times the
 volume of the true box with the last two, where it has a bound: it has none in {any_ratio['dual_quaternion']['unbounded']} and {any_ratio['spherical']['unbounded']} poses, in which blends nearly vanish.
 """

@@ -79,6 +79,12 @@ def volumes_by_model(results, method):
     return found
 
 
+def costliest(results, method):
+    """Returns the model for which a method costs the most from matrices, over joint boxes, and how much."""
+    rows = results.find("engines", variant=method, skinning="linear", kind="cost", quantity="ratio_to_joint_boxes_of_matrices")
+    return max(((row.model, row.value) for row in rows), key=lambda row: row[1])
+
+
 def volume_goal(results):
     """Ours over joint boxes with linear skinning: the mean over all clips, what even the true box has, and the clips that reach the goal. either: the
     mean if a bake takes rounded boxes or capsules, model by model."""

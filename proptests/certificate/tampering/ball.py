@@ -2,6 +2,7 @@
 """What certificates of balls are tampered with. Each function returns the text of one that is false or none, or None where it cannot."""
 import collections
 import hashlib
+import math
 from fractions import Fraction
 
 from tampering import anything
@@ -119,6 +120,12 @@ NEEDS_DOCUMENTS = [weights_of_a_weight_vertex, position_in_the_middle, piece_lef
 FALSE = NEEDS_DOCUMENTS + [stretch_too_small, vertex_outside, weights_shifted, negative_share, ball_too_small, ball_elsewhere,
                            bound_of_another_skinning, weight_vertex_off_the_sum, *anything.FALSE]
 FOR_KERNEL = vertex_outside  # which every checker has to look at the numbers for
+
+
+def control_points(document):
+    """That its pieces have, if all of them are bounded so."""
+    degree = {"spherical": 3, "dual_quaternion": 2}.get(document["skinning"], 1)
+    return sum(math.comb(len(piece["weight_vertices"]) + degree - 1, degree) for piece in document["pieces"])
 
 
 def parts(document):
