@@ -109,7 +109,8 @@ def engines_block(results):
     reference = engines.row_of(results, "joint_boxes", "linear")
     twisted = {s: engines.row_of(results, engines.OURS, s)["twists"] for s in over_time.SKINNINGS}
     undecided = round(sum(row.value for row in results.find("engines", quantity="undecided")))
-    unseen, (costliest, most) = engines.unseen(results), engines.costliest(results, engines.OURS)
+    unseen = engines.unseen(results)
+    costliest, most = engines.costliest(results, engines.OURS)
     of_others = (f". For {unseen['clips']} clips, boxes were\nalso fitted to the model's other clips alone. They have {unseen['mean']:.3f}, where boxes fitted to all clips have "
                  f"{unseen['fitted']:.3f} and the true box {unseen['true']:.3f}") if unseen else ""
     any_ratio = {s: engines.row_of(results, "motion_bound", s) for s in ("dual_quaternion", "spherical")}

@@ -70,7 +70,7 @@ BoxProgram::BoxProgram(const SkinnedMesh& mesh, std::span<const Pose> expected, 
         if (walls_.empty()) first_wall_ = variable;
         Wall wall{p, axis, side, -infinite};
         for (std::size_t j = 0; j < boxes.size(); ++j)
-          if (first_[j] >= 0) wall.value = std::max(wall.value, reach(wall, j));
+          if (first_[j] >= 0) wall.value = std::max(wall.value, reach(wall, j, boxes_[j]));
         walls_.push_back(wall);
       }
   }
@@ -111,9 +111,8 @@ double BoxProgram::edge(std::size_t pose, int axis) const {
   return std::max(least_edge, walls_[wall].value + walls_[wall + 1].value);
 }
 
-double BoxProgram::reach(const Wall& wall, std::size_t joint) const {
+double BoxProgram::reach(const Wall& wall, std::size_t joint, const RoundedBox& box) const {
   const PlacedJoint& placed = poses_[wall.pose][joint];
-  const RoundedBox& box = boxes_[joint];
   return wall.side * (dot<double, 3>(placed.rows[wall.axis], box.center) + placed.offset[wall.axis]) +
          dot<double, 3>(placed.rows[wall.axis].cwiseAbs(), box.half) + box.radius;
 }
@@ -123,12 +122,8 @@ double BoxProgram::growth_by_balls(std::size_t first, std::size_t last) const {
   double sum = 0;
   for (const Wall& wall : walls_) {
     double most = 0;
-    for (std::size_t j = first; j < last; ++j) {
-      if (first_[j] < 0) continue;
-      const double of_box = dot<double, 3>(poses_[wall.pose][j].rows[wall.axis].cwiseAbs(), boxes_[j].half),
-                   of_ball = norm<double, 3>(boxes_[j].half);
-      most = std::max(most, reach(wall, j) + of_ball - of_box - wall.value);
-    }
+    for (std::size_t j = first; j < last; ++j)
+      if (first_[j] >= 0) most = std::max(most, reach(wall, j, ball_around(boxes_[j])) - wall.value);
     sum += most / edge(wall.pose, wall.axis);
   }
   return sum / static_cast<double>(poses_.size());
@@ -142,7 +137,7 @@ double BoxProgram::add_wall_rows(double least) {
     const Wall& wall = walls_[w];
     beyond.clear();
     for (std::size_t j = 0; j < boxes_.size(); ++j)
-      if (first_[j] >= 0) beyond.emplace_back(reach(wall, j) - wall.value, j);
+      if (first_[j] >= 0) beyond.emplace_back(reach(wall, j, boxes_[j]) - wall.value, j);
     std::sort(beyond.begin(), beyond.end(), std::greater<>());
     most = std::max(most, beyond[0].first);
     for (std::size_t i = 0; i < std::min(rows_a_wall, beyond.size()) && beyond[i].first > least; ++i) {

@@ -45,7 +45,8 @@ class BoxProgram {
 
   // Of the character's box, in the last solution; no less than a small length.
   double edge(std::size_t pose, int axis) const;
-  double reach(const Wall& wall, std::size_t joint) const;
+  // How far a joint's box comes, as the wall's value is given.
+  double reach(const Wall& wall, std::size_t joint, const RoundedBox& box) const;
   double growth_by_balls(std::size_t first, std::size_t last) const;
   double add_wall_rows(double least);
   double add_vertex_rows();

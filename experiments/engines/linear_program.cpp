@@ -8,15 +8,17 @@
 namespace refitlab {
 
 int LinearProgram::add_variable(double least, double most) {
-  const int column = glp_add_cols(program_.get(), 1);
-  glp_set_col_bnds(program_.get(), column, least < most ? GLP_DB : GLP_FX, least, most);
-  return column - 1;
+  const int variable = glp_add_cols(program_.get(), 1) - 1;
+  set_bounds(variable, least, most);
+  return variable;
+}
+
+void LinearProgram::set_bounds(int variable, double least, double most) {
+  glp_set_col_bnds(program_.get(), variable + 1, least < most ? GLP_DB : GLP_FX, least, most);
 }
 
 void LinearProgram::set_most(int variable, double most) {
-  const int column = variable + 1;
-  const double least = glp_get_col_lb(program_.get(), column);
-  glp_set_col_bnds(program_.get(), column, least < most ? GLP_DB : GLP_FX, least, most);
+  set_bounds(variable, glp_get_col_lb(program_.get(), variable + 1), most);
 }
 
 double LinearProgram::value(int variable) const {

@@ -34,6 +34,8 @@ class LinearProgram {
   double value(int variable) const;
 
  private:
+  void set_bounds(int variable, double least, double most);
+
   std::unique_ptr<glp_prob, decltype(&glp_delete_prob)> program_;
 };
 

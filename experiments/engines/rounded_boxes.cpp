@@ -41,6 +41,8 @@ void make_sound(const SkinnedMesh& mesh, std::vector<RoundedBox>& boxes) {
 
 }  // namespace
 
+RoundedBox ball_around(const RoundedBox& box) { return {box.center, Point3::Zero(), box.radius + norm<double, 3>(box.half)}; }
+
 double distance_from_box(const RoundedBox& box, const Point3& point) {
   return norm<double, 3>(((point - box.center).cwiseAbs() - box.half).cwiseMax(0));
 }

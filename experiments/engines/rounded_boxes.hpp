@@ -25,6 +25,8 @@ struct RoundedBox {
   double radius = -1;  // of a joint that moves no vertex; else at least 0
 };
 
+// Returns the smallest ball around the box with its radius, which is at least 0: a box without half extents.
+RoundedBox ball_around(const RoundedBox& box);
 // Returns the distance of a point from the box without its radius.
 double distance_from_box(const RoundedBox& box, const Point3& point);
 

@@ -134,12 +134,14 @@ std::vector<RoundedBox> some_sound_boxes() {
   const std::size_t of_block = Lanes<float>::count, which = *rc::gen::inRange<std::size_t>(0, 4);
   for (std::size_t j = 0; j < boxes.size(); ++j) {
     if (boxes[j].radius < 0 || which == 0 || (which < 3 && j / of_block != which - 1)) continue;
-    boxes[j].radius += norm<double, 3>(boxes[j].half);
-    boxes[j].half = Point3::Zero();
+    boxes[j] = ball_around(boxes[j]);
   }
   if (which > 0) RC_TAG("of balls");
   return boxes;
 }
+
+// On which side of a box's middle one of its eight corners is, along each axis.
+Point3 signs_of_corner(int corner) { return {corner & 1 ? 1. : -1., corner & 2 ? 1. : -1., corner & 4 ? 1. : -1.}; }
 
 Pose some_pose() {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
@@ -400,8 +402,7 @@ void fits_are_tight(Suite& t) {
         pose[j] = {gen::random_rotation(random, 1), {u(random), u(random), u(random)}};
         const Point3 middle(u(random), u(random), u(random)), half(u(random), u(random), u(random));
         for (int v = 0; v < 8; ++v) {
-          const Point3 signs(v & 1 ? 1 : -1, v & 2 ? 1 : -1, v & 4 ? 1 : -1);
-          mesh.vertices.push_back(middle + signs.cwiseProduct(half) / (1 + j));
+          mesh.vertices.push_back(middle + signs_of_corner(v).cwiseProduct(half) / (1 + j));
           mesh.influences.push_back({{j, 1.}});
           reached.merge(apply(pose[j], mesh.vertices.back()));
         }
@@ -439,8 +440,8 @@ void joints_that_reach_no_wall(Suite& t) {
               // The middle block's joints carry small bricks inside of a large one, which the first joint of another block carries.
               for (int j = 0; j < 3 * of_block; ++j)
                 for (int v = 0; v < 8; ++v) {
-                  const Point3 signs(v & 1 ? 1 : -1, v & 2 ? 1 : -1, v & 4 ? 1 : -1);
-                  mesh.vertices.push_back(signs.cwiseProduct(Point3(1, 2, 3)) * (j % of_block == 0 && j != of_block ? 1 : 0.1));
+                  mesh.vertices.push_back(signs_of_corner(v).cwiseProduct(Point3(1, 2, 3)) *
+                                          (j % of_block == 0 && j != of_block ? 1 : 0.1));
                   mesh.influences.push_back({{j, 1.}});
                 }
               const auto boxes = fit_rounded_boxes(mesh, {&pose, 1});

@@ -228,6 +228,7 @@ FOR_KERNEL = plane_onto_a_vertex  # which every checker has to look at the numbe
 
 
 def control_points(document):
+    """None: these have no hulls."""
     return 0
 
 
