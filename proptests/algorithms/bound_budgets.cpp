@@ -311,14 +311,14 @@ double error_of_turn(double longest, const Formula& formula) {
   return worst;
 }
 
-// The rates of palette_rounding.hpp for a skinned vertex, without what the blend's own error turns: 2 n kappa. In u of any type.
-Checked check_vertices() {
+// What the formulas of skinned vertices lose of a given blend, in u of any type.
+struct ErrorsOfVertices {
+  double spherical, of_center_image;  // per ||x|| and per center image
+  double linear, of_translation;      // per ||p|| and per translation
+  double dual, of_dual_translation;
+};
+ErrorsOfVertices errors_of_vertices() {
   using oracle::PlainBudget;
-  DerivedBudgets budgets;
-  const double u_double = 0x1p-53;
-  const auto scales = [](double n, double image, double translation) {
-    return PaletteScales<double>{n, image, translation, 1, 0};
-  };
   // keep x + along v is symmetric in x, of eigenvalues 1 and w^2 - ||v||^2.
   const auto spherical = [&](double x, double image) {
     return error_of_turn(x + image, [&](const Quaternion<PlainBudget>& q) {
@@ -330,23 +330,68 @@ Checked check_vertices() {
       return apply(RigidTransform<PlainBudget>{q, of_length<1, 3>(translation)}, of_length<1, 3>(p));
     });
   };
+  // Duals are as long as half the translation.
   const auto dual = [&](double p, double translation) {
     return error_of_turn(p + translation, [&](const Quaternion<PlainBudget>& q) {
       return move_rigidly<PlainBudget>({q, of_length<1, 4>(translation / 2)}, squared_norm(q), of_length<1, 3>(p));
     });
   };
-  for (const int n : {1, 2, 4, 64}) {
-    const std::string joints = std::to_string(n) + " joints, ";
-    const auto of_spherical = rounding_spherical(scales(n, 1, 0)).vertex, of_linear = rounding_linear(scales(n, 0, 1)).vertex,
-               of_dual = rounding_dual_quaternion(scales(n, 0, 1)).vertex;
-    // x has an error of 1, and blends of centers and translations of n.
-    budgets.add(joints + "spherical, per |x|", 1 + spherical(1, tiny), of_spherical.per_length / u_double - 2 * n);
-    budgets.add(joints + "spherical, per center image", n + spherical(tiny, 1), of_spherical.offset / u_double);
-    budgets.add(joints + "linear, per |p|", n + linear(1, tiny), of_linear.per_length / u_double);
-    budgets.add(joints + "linear, per |t|", n + linear(tiny, 1), of_linear.offset / u_double);
-    budgets.add(joints + "dual quaternions, per |p|", dual(1, tiny), of_dual.per_length / u_double - 2 * n);
-    budgets.add(joints + "dual quaternions, per |t|", dual(tiny, 1), of_dual.offset / u_double - 2 * n);
-  }
+  // x has an error of 1.
+  return {1 + spherical(1, tiny), spherical(tiny, 1), linear(1, tiny), linear(tiny, 1), dual(1, tiny), dual(tiny, 1)};
+}
+
+// They are rounded up, which leaves room for terms of higher order.
+PaletteScales<double> scales_of(double joints, double kappa, double image, double translation) {
+  constexpr double up = 1 + 128 * u;  // measure_palette, in float
+  return {joints, image * up, translation * up, kappa * up, 0, 0};
+}
+
+// The rates of palette_rounding.hpp for a skinned vertex. What a blend's own error turns and moves, b8_blend_error says.
+Checked check_vertices() {
+  DerivedBudgets budgets;
+  const double u_double = 0x1p-53;
+  const ErrorsOfVertices errors = errors_of_vertices();
+  for (const int n : {1, 2, 4, 64})
+    for (const double kappa : {1.0, 1.5, 16.0}) {
+      char joints[60];
+      std::snprintf(joints, sizeof joints, "%d joints, kappa %g, ", n, kappa);
+      const auto add = [&](const char* what, double derived, double rate) {
+        budgets.add(std::string(joints) + what, derived, rate / u_double);
+      };
+      const double of_rotation = oracle::error_of_blend<4>(n, 0), of_center = oracle::error_of_blend<3>(n, 0);
+      const auto of_spherical = rounding_spherical(scales_of(n, kappa, 1, 0)).vertex,
+                 of_linear = rounding_linear(scales_of(n, kappa, 0, 1)).vertex,
+                 of_dual = rounding_dual_quaternion(scales_of(n, kappa, 0, 1)).vertex;
+      add("spherical, per |x|", errors.spherical + turn_of_error(of_rotation, kappa), of_spherical.per_length);
+      add("spherical, per center image", errors.of_center_image + of_center, of_spherical.offset);
+      add("linear, per |p|", errors.linear + of_center, of_linear.per_length);
+      add("linear, per |t|", errors.of_translation + of_center, of_linear.offset);
+      add("dual quaternions, per |p|", errors.dual + turn_of_error(of_rotation, kappa), of_dual.per_length);
+      // A blend of length 1 / kappa moves by kappa |t|.
+      const double moved = move_of_error<double>({of_rotation, of_rotation / 2, 0.5, kappa});
+      add("dual quaternions, per |t|", errors.of_dual_translation * kappa + moved, of_dual.offset);
+    }
+  return budgets.checked();
+}
+
+// What does not grow with kappa and joints is what was derived, or less than a unit more.
+Checked check_constants_of_vertices() {
+  DerivedBudgets budgets;
+  const double u_double = 0x1p-53;
+  const ErrorsOfVertices errors = errors_of_vertices();
+  const auto add = [&](const char* what, double derived, double rate) {
+    budgets.add(what, derived, rate / u_double);
+    budgets.add(std::string(what) + ", not a unit more", std::max(tiny, rate / u_double - 1), derived);
+  };
+  const auto of_spherical = rounding_spherical(scales_of(0, 1, 1, 0)).vertex,
+             of_linear = rounding_linear(scales_of(0, 1, 0, 1)).vertex,
+             of_dual = rounding_dual_quaternion(scales_of(0, 1, 0, 1)).vertex;
+  add("spherical, per |x|", errors.spherical, of_spherical.per_length);
+  add("spherical, per center image", errors.of_center_image, of_spherical.offset);
+  add("linear, per |p|", errors.linear, of_linear.per_length);
+  add("linear, per |t|", errors.of_translation, of_linear.offset);
+  add("dual quaternions, per |p|", errors.dual, of_dual.per_length);
+  add("dual quaternions, per |t|", errors.of_dual_translation, of_dual.offset);
   return budgets.checked();
 }
 
@@ -393,6 +438,8 @@ PROPTEST(bound_budgets) {
   t.example("hulls of whole images allow for what double may lose", {.number_type = "bounds of double"}, check_hulls);
   t.example("the rates of skinned vertices allow for what the formulas may lose", {.number_type = "bounds of any float"},
             check_vertices);
+  t.example("the constants of skinned vertices are derived up to a unit", {.number_type = "bounds of any float"},
+            check_constants_of_vertices);
   t.example("the traversal of placed bodies allows for what double may lose", {.number_type = "bounds of double"},
             check_placements);
 }

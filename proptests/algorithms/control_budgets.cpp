@@ -76,13 +76,13 @@ double error_of_spherical_points(double x, double image) {
 }
 // Of duals of half the translation's length.
 double error_of_dual_points(double p, double translation) {
-  const DualQuaternionPiece<Budget> piece(of_length<0, 3>(p), Budget(tiny), Budget(tiny));
+  const DualQuaternionPiece<Budget> piece(of_length<0, 3>(p), Budget(tiny));
   return error_of_control_points(piece, {of_length<0, 4>(1), of_length<0, 4>(translation / 2)});
 }
 
 // For joint-sets of any kappa that a blend in float may have; in double it is greater, and terms of higher order less. The hull of
-// what is made of weight vertices, x and centers as computed holds the blends of these. So their errors count once: that of a
-// quaternion turns x by 2 kappa of it.
+// what is made of weight vertices, x and centers as computed holds the blends of these. So their errors count once, as in
+// b8_blend_error.
 Checked check_control_balls() {
   DerivedBudgets budgets;
   const double x = whole(Vec<Budget, 3>(of_length<0, 3>(1) - of_length<0, 3>(tiny))).in_u();
@@ -97,15 +97,16 @@ Checked check_control_balls() {
       };
       const double of_quaternion = error_of_weight_vertex<4>(n), of_center = error_of_weight_vertex<3>(n);
       const auto rates = of_control_balls(rounding_spherical(scales(n, kappa, 1, 0)));
-      add("spherical, per |x|", spherical + 2 * kappa * of_quaternion, rates.per_length);
+      add("spherical, per |x|", spherical + turn_of_error(of_quaternion, kappa), rates.per_length);
       add("spherical, per center image", centers + of_center, rates.offset);
       // A cap's ball is moved by the center images.
       add("cap, per |x|", oracle::error_of_cap(of_quaternion * kappa + oracle::error_of_unit(), x * u) + 1, rates.per_length);
       add("cap, per center image", of_center + 1, rates.offset);
-      // The offset is per kappa |t|, for weight vertices of length 1 / kappa. Duals move as much as quaternions turn.
+      // Weight vertices of length 1 / kappa move by kappa |t|, and have duals of half of |t|.
       const auto of_dual = of_control_balls(rounding_dual_quaternion(scales(n, kappa, 0, 1)));
-      add("dual quaternions, per |p|", dual + 2 * kappa * of_quaternion, of_dual.per_length);
-      add("dual quaternions, per |t|", translations + 2 * kappa * of_quaternion, of_dual.offset / kappa);
+      add("dual quaternions, per |p|", dual + turn_of_error(of_quaternion, kappa), of_dual.per_length);
+      const double moved = move_of_error<double>({of_quaternion, of_quaternion / 2, 0.5, kappa});
+      add("dual quaternions, per |t|", translations * kappa + moved, of_dual.offset);
     }
   return budgets.checked();
 }
@@ -123,6 +124,34 @@ Checked check_constants() {
   add("spherical, per center image", error_of_spherical_points(tiny, 1) + most_halvings, spherical.offset);
   add("dual quaternions, per |p|", error_of_dual_points(1, tiny) + 2 * most_halvings, dual.per_length);
   add("dual quaternions, per |t|", error_of_dual_points(tiny, 1) + 2 * most_halvings, dual.offset);
+  return budgets.checked();
+}
+
+// The ball that dual quaternions fall back on, for the shortest weight vertices and the least cosine that it takes. The number of joints
+// is one that no asset has.
+Checked check_fallback() {
+  DerivedBudgets budgets;
+  const double least = least_fallback_cosine * least_fallback_length;
+  for (const int n : {1, 2, 3, 4, 8, 64, 1000}) {
+    const double of_weight_vertex = error_of_weight_vertex<4>(n) * u;
+    const Quaternion<Budget> q = of_length<0, 4>(1, of_weight_vertex);
+    const auto of_reach = [&](double t, double p, double f) {
+      const BlendedDuals<Budget> weight_vertex{q, of_length<0, 4>(t / 2, t / 2 * of_weight_vertex)};
+      return whole(reach_of(weight_vertex, Vec<Budget, 3>(of_length<0, 3>(p)), Vec<Budget, 3>(of_length<0, 3>(f)))).in_u();
+    };
+    // ||E|| ||a|| / (q, a), relative to itself.
+    const Budget square(1, squared_norm(Quaternion<Budget>(of_length<0, 4>(1))).error, 1), exact(1, 0, 1);
+    const double of_quotient = root(Budget(square / sq(exact) * square)).in_u();
+    const double of_cosine = dot(q, Quaternion<Budget>(of_length<0, 4>(1))).in_u();
+    const double allowed = fallback_slack(n) / u_double;
+    const std::string joints = std::to_string(n) + " joints, ";
+    budgets.add(joints + "per |t|", of_reach(1, tiny, tiny) / least, allowed);
+    budgets.add(joints + "per |p|", of_reach(tiny, 1, tiny) / least, allowed);
+    budgets.add(joints + "per |f|", of_reach(tiny, tiny, 1) / least, allowed);
+    budgets.add(joints + "per radius", of_cosine / least + of_quotient, allowed);
+    // Two units are for terms of higher order.
+    budgets.add(joints + "and not three more", allowed, (of_reach(tiny, 1, tiny) + 3) / least);
+  }
   return budgets.checked();
 }
 
@@ -197,6 +226,7 @@ Checked check_linear() {
 PROPTEST(control_budgets) {
   const Options options{.number_type = "bounds of any float"};
   t.example("control balls allow for what the formulas may lose", options, check_control_balls);
+  t.example("the ball that dual quaternions fall back on allows for what its formulas may lose", options, check_fallback);
   t.example("the constants of control balls are derived up to a unit", options, check_constants);
   t.example("control balls of linear blending allow for what matrices may lose", options, check_linear);
 }

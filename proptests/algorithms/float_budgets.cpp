@@ -137,8 +137,8 @@ Checked check_filter(const Vertices& vertices, bool are_exact) {
 
 // --- Skinning in float ---
 
-// The error of an image whose blended quaternion has an error of so much: as a turn of 2 / ||q|| of that, and the formula's own
-// errors for a quaternion of an angle between these.
+// The error of an image whose blended quaternion has an error of so much: what that turns (b8_blend_error), and the formula's own
+// errors for a quaternion of any angle.
 double error_of_turn(double length, double error_of_blend, const Vec<Budget, 3>& x, const Vec<Budget, 3>& c) {
   double worst = 0;
   constexpr int cells = 512;
@@ -156,7 +156,8 @@ double error_of_turn(double length, double error_of_blend, const Vec<Budget, 3>&
     PlainBudget::longest = HUGE_VAL, PlainBudget::least_squared_norm = 0;
     worst = std::max(worst, whole(out).in_u());
   }
-  return worst + (2 * error_of_blend / length * (whole(x).most + whole(x).error) + whole(x).error + whole(c).error) / u;
+  const double turned = turn_of_error(error_of_blend, 1 / length) * (whole(x).most + whole(x).error);
+  return worst + (turned + whole(x).error + whole(c).error) / u;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 //   x: p, r and their difference are rounded, which is |p| + |r| + |x| <= 2 X.
 //   q: q_0 has 1. Signs are consistent, so that |q_j - q_0| <= sqrt 2. The weights of the differences add up to less than 1,
 //      so that rounding them has sqrt 2, and so have the products. Partial sums are convex combinations of the q_j, so that
-//      n - 1 sums have one each. Together that is below n + 3, which turns x by at most 2 kappa (n + 3) X.
+//      n - 1 sums have one each. Together that is below n + 3, which turns x by at most 2 kappa (n + 3) X (b8_blend_error).
 //   t: a cross product has sqrt 2 |v| |x| of products and |v| |x| of differences, which is 2.42 |v| |x|. v x t has this twice.
 //      w t has it and one more. Their sum is |w t + v x t| <= |v| ||q|| |x|, and it is rounded. With |v| = ||q|| sin a and w =
 //      ||q|| cos a that is (4.84 sin^2 a + 3.42 sin a cos a + sin a) ||q||^2 |x|, which is below 6.4 ||q||^2 |x|. s doubles
@@ -39,11 +39,15 @@
 // entry must not be used. proptests/algorithms/float_budgets.cpp derives the counts from the kernel.
 #pragma once
 
+#include "lemmas/b8_blend_error.hpp"
+
 namespace refitlab {
 
 inline constexpr double largest_float_length = 1e12, least_float_slack = 1e-37, largest_float_kappa = 1.5;
 // The entry's slack in units of u is the first function times X plus the second times T, and a share of both is added.
-constexpr double float_slack_per_length(int joints) { return joints == 1 ? 10 : 32 + 2 * largest_float_kappa * (joints + 3); }
+constexpr double float_slack_per_length(int joints) {
+  return joints == 1 ? 10 : 32 + turn_of_error<double>(joints + 3, largest_float_kappa);
+}
 constexpr double float_slack_per_image(int joints) { return joints == 1 ? 5 : joints + 7; }
 inline constexpr double float_slack_and_more = 1 + 0x1p-10;
 

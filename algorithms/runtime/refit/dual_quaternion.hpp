@@ -27,6 +27,17 @@ Ball3<S> all_of_space(const Vec<S, 3>& center) {
   return {center, S(std::numeric_limits<double>::infinity())};
 }
 
+// The fallback takes no axis a whose cosine to some q'_k is less than this, and no q'_k that is shorter than the least length: smaller
+// ones may come from rounding.
+inline constexpr double least_fallback_cosine = 1e-4, least_fallback_length = 1e-2;
+
+// Returns what a fallback in double may lose by rounding, relative to the sum of its radius, t, ||p|| and ||f||, for this many joints.
+// The q'_k and d'_k are off by (n + 4) u of 1 and of half of t. So the E_k are off by (n + 14) u of t + ||p|| + ||f||, and (q'_k, a) / ||a||
+// by (n + 8) u; and this is what both are divided by. proptests/algorithms/control_budgets.cpp derives these counts.
+constexpr double fallback_slack(double joints) {
+  return (joints + 16) * (std::numeric_limits<double>::epsilon() / 2) / (least_fallback_cosine * least_fallback_length);
+}
+
 // DualQuaternionPiece is the dual quaternion blend of a piece.
 template <class S>
 class DualQuaternionPiece {
@@ -35,11 +46,12 @@ class DualQuaternionPiece {
   using WeightVertex = BlendedDuals<S>;
   static constexpr double near = 2;  // less than 90 degrees of rotation apart, 45 degrees between the quaternions
 
-  // point is p, radius is that of the reference ball, and translation is at least the length of every joint's translation
-  // (for rounding).
-  DualQuaternionPiece(const Vec<S, 3>& point, const S& radius, const S& translation = S(0))
+  // point is p, and radius is that of the reference ball. For rounding there are the number of joints, and translation, which is at
+  // least the length of every joint's translation.
+  DualQuaternionPiece(const Vec<S, 3>& point, const S& radius, const S& joints = S(1), const S& translation = S(0))
       : point_(point),
         radius_(radius),
+        joints_(joints),
         translation_(translation) {}
 
   MixedPair<S> mix(const WeightVertex& a, const WeightVertex& b) const { return mix_motions(a, b, point_); }
@@ -93,17 +105,14 @@ class DualQuaternionPiece {
 
  private:
   static constexpr int axis_steps = 6;
-  // These are the least squared cosine of an angle to the axis, and the least squared length of a q'_k. Smaller values may come
-  // from rounding.
-  static constexpr double least_squared_cosine = std::is_floating_point_v<S> ? 1e-8 : 1e-20;
-  static constexpr double least_squared_weight_vertex = std::is_floating_point_v<S> ? 1e-4 : 0;
+  static constexpr double least_squared_cosine =
+      std::is_floating_point_v<S> ? least_fallback_cosine * least_fallback_cosine : 1e-20;
+  static constexpr double least_squared_weight_vertex =
+      std::is_floating_point_v<S> ? least_fallback_length * least_fallback_length : 0;
 
-  // The errors of the q'_k and d'_k, and of what is computed from them, are at most (n + 16) u of (t + ||p|| + ||f||) for n
-  // joints, divided by (q'_k, a) / ||a||. This divisor is at least 1e-2 times 1e-4. So up to 500 joints, the error is less
-  // than 2^-24 of that size in double.
   S rounding_of(const Vec<S, 3>& middle, const S& reach) const {
     if constexpr (!std::is_floating_point_v<S>) return S(0);
-    else return S(0x1p-24) * (reach + translation_ + norm(point_) + norm(middle));
+    else return S(fallback_slack(joints_)) * (reach + translation_ + norm(point_) + norm(middle));
   }
 
   static bool is_ahead(std::span<const WeightVertex> weight_vertex, const Quaternion<S>& axis) {
@@ -117,7 +126,7 @@ class DualQuaternionPiece {
   }
 
   const Vec<S, 3> point_;
-  const S radius_, translation_;
+  const S radius_, joints_, translation_;
   bool is_bounded_ = true;
 };
 
@@ -141,9 +150,12 @@ std::span<const Ball3<S>> control_balls_dual_quaternion(const RefitNode<S>& node
     lists.dual_weight_vertices.clear();
     for (int k = 0; k < set.weight_vertex_count; ++k)
       lists.dual_weight_vertices.push_back(blend_duals(palette, node.weight_vertex(set, k)));
-    S translation(0);
-    if constexpr (std::is_floating_point_v<S>) translation = node.palette.scales(set.joint_set).translation;
-    DualQuaternionPiece<S> piece(reference.center, reference.radius, translation);
+    S joints(1), translation(0);
+    if constexpr (std::is_floating_point_v<S>) {
+      const PaletteScales<S>& scales = node.palette.scales(set.joint_set);
+      joints = scales.joints, translation = scales.translation;
+    }
+    DualQuaternionPiece<S> piece(reference.center, reference.radius, joints, translation);
     ControlHull(piece, lists.dual_weight_vertices, lists)
         .cover(lists.dual_weight_vertices.size(), set.weight_vertex_count == 1 ? 0 : most_halvings);
     if (!piece.is_bounded()) {

@@ -8,13 +8,11 @@
 // the t_j (PaletteScales), and let x = p - r_c. Errors are vectors, in units of u, to first order. The scales are rounded up by
 // 128 u, which leaves room for the terms in u^2.
 //
-// The elementary errors are in namespace rounding below, relative to the lengths of the operands. A blend of n terms has an
-// error of n, relative to the largest length of its terms. If a quaternion of length 1/kappa or more has an error of e,
-// then the image of x that it turns has an error of at most 2 kappa e ||x||.
+// A blend of n terms has an error of n, relative to the largest length of its terms. What such an error of a quaternion turns
+// and moves, b8_blend_error says: 2 kappa e ||x|| for an error of e.
 //
-// A vertex under spherical blending: x has an error of 1. The turned x has the errors of rotate_scaled, of the squared
-// length, of its inverse and of the product. The blend adds 2 n kappa. The center's image adds n T, and the sum adds 1 of
-// both.
+// A vertex under spherical blending: the formula for a given blend loses 25 of ||x||, with the error of x, and 1 of T. The blend
+// adds 2 n kappa, and n T.
 //
 // A control ball: after h <= 4 halvings the quaternions and centers at the weight vertices have an error of n + h. The hull
 // of the control points of these computed values holds the blends of the computed values, so the errors count once: 2 (n +
@@ -24,9 +22,9 @@
 // 4 s for its own rounding. As the image's angle is 4 arcsin s, and no more than a right angle, its error is at most 2.17 times
 // that. With the ratios, the rotation and sums it is less than 80 + 2.25 (n + h) kappa, which covers both, and n + h + 1.
 //
-// Linear blending of a point p: the error is that of rotate (the given quaternions have no error), 1 for the sum, and n for
-// the blend of both. But R_j is not quite a rotation: with ||q||^2 = 1 + e the unit formula makes (1 + e) R - e, which
-// stretches r by at most 2 |e| r.
+// Linear blending of a point p: the formula loses 15 of ||p|| and 1 of t (the given quaternions have no error), and the blend adds n
+// of both. But R_j is not quite a rotation: with ||q||^2 = 1 + e the unit formula makes (1 + e) R - e, which stretches r by at
+// most 2 |e| r.
 //
 // Linear blending by affine joints: let F bound the Frobenius norms of their matrices, and t the lengths of their offsets. The
 // image of p is three products and their sum with the offset: 3 F ||p||, and one of F ||p|| + t. The blend adds n of both. The
@@ -34,15 +32,13 @@
 // sum of its A^T A, which is at least F / sqrt 3, and the product have errors of 9 F. A factor that is blended of the joints' is at
 // most 1.2 F, and off by n of that. Products of tiny numbers underflow, for which least_matrix stands.
 //
-// Dual quaternions: the errors are as for spherical blending with p in place of x, and with 2 ||d_j|| <= t, so that
-// translations are at most kappa t. A vertex has the errors of a spherical one. In addition, Im(d q*) has an error of 7,
-// doubled; the sum adds 1; the squared length and the quotient add theirs; d adds n; and q adds n kappa. For a control
-// ball, near weight vertices have ||q'_k|| ||q'_l|| < sqrt 2 W_kl. The quotient N / W has an error of 46, and 27 of translations. The
-// weight vertices add 2 (n + 4) kappa of each. Beyond a right angle the ball of b6_dual_quaternion_ball accounts for its own rounding
-// (dual_quaternion.hpp).
+// Dual quaternions: 2 ||d_j|| <= t, so that translations are at most kappa t. For a given blend the formula loses 23 of ||p|| and 15 of
+// translations; q and d are off by n of their lengths. For a control ball, near weight vertices have ||q'_k|| ||q'_l|| < sqrt 2 W_kl.
+// The quotient N / W has an error of 46, and 27 of translations. The weight vertices are off by n + 4 of both lengths. Beyond a right angle
+// the ball of b6_dual_quaternion_ball accounts for its own rounding (dual_quaternion.hpp).
 //
 // proptests/algorithms/control_budgets.cpp derives the constants of control balls and of affine joints from the refits' own
-// templates, and bound_budgets.cpp those of vertices.
+// templates, and bound_budgets.cpp those of vertices. palette_rounding.cpp there compares them with running errors.
 //
 // Skinning in double has the error of a vertex, with ||x|| + r in place of ||x||. The certified ball encloses these
 // vertices too. A piece that is one vertex is computed exactly as skinning computes it, to the last bit, so it counts this
@@ -56,20 +52,11 @@
 #include <type_traits>
 
 #include "lemmas/a1_affine_image.hpp"
+#include "lemmas/b8_blend_error.hpp"
 #include "lemmas/vocabulary/nonzero.hpp"
 #include "lemmas/vocabulary/rigid.hpp"
 
 namespace refitlab {
-
-// The errors of the operations, in u and relative to the lengths of vectors and quaternions. proptests/gappa has a proof of
-// each but the last, by component and at unit length. proptests/algorithms/bound_budgets.cpp derives those of whole vectors, and
-// palette_rounding.cpp there compares them with running errors.
-namespace rounding {
-inline constexpr int squared_length = 5;  // of a quaternion
-inline constexpr int rotate = 24;         // by a quaternion taken to be of unit length
-inline constexpr int rotate_scaled = 24;
-inline constexpr int matrix = 3;  // times a point, relative to its Frobenius norm
-}  // namespace rounding
 
 // PaletteScales are the scales of a joint-set in one pose, in float or double. Each is rounded up by far more than its own
 // rounding error.
@@ -149,36 +136,38 @@ template <class S>
 PaletteRounding<S> rounding_linear(const PaletteScales<S>& palette) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;
   const S n = palette.joints, t = palette.translation;
-  const RoundingRates<S> vertex{u * (S(rounding::rotate + 1) + n), S(0), u * (n + 1) * t};
+  const RoundingRates<S> vertex{u * (15 + n), S(0), u * (n + 1) * t};
   return {vertex, {2 * vertex.per_length, 2 * palette.unit_defect, 2 * vertex.offset}};
 }
 template <class S>
 PaletteRounding<S> rounding_affine(const PaletteScales<S>& palette) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;
   const S n = palette.joints, f = palette.matrix, t = palette.translation;
-  const RoundingRates<S> vertex{u * (S(rounding::matrix + 1) + n) * f, S(0), u * (n + 1) * t};
+  const RoundingRates<S> vertex{u * (4 + n) * f, S(0), u * (n + 1) * t};
   return {vertex, {2 * vertex.per_length, u * (9 + S(1.25) * n) * f, 2 * vertex.offset}};
 }
 template <class S>
 PaletteRounding<S> rounding_spherical(const PaletteScales<S>& palette) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;
-  constexpr S turned(1 + rounding::rotate_scaled + (rounding::squared_length + 2) + 1);
-  constexpr S control(80), centers(33);  // also of caps
+  constexpr S turned(25), control(80), centers(33);  // the latter two also of caps
   const S n = palette.joints, kappa = palette.inverse_blend, t = palette.center_image;
-  const RoundingRates<S> vertex{u * (turned + 2 * n * kappa), S(0), u * (n + 1) * t};
+  const RoundingRates<S> vertex{u * (turned + turn_of_error(n, kappa)), S(0), u * (n + 1) * t};
   return {vertex, {vertex.per_length + u * (control + S(2.25) * (n + 4) * kappa), S(0), vertex.offset + u * (centers + n) * t}};
 }
 template <class S>
 PaletteRounding<S> rounding_dual_quaternion(const PaletteScales<S>& palette) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;
-  constexpr S turned(rounding::rotate_scaled + (rounding::squared_length + 1) + 1);
-  constexpr S moved(2 * 7 + 1 + (rounding::squared_length + 1) + 1);
-  constexpr S control(46), translations(27);
-  const S n = palette.joints, kappa = palette.inverse_blend, t = palette.translation * palette.inverse_blend;
-  const RoundingRates<S> vertex{u * (turned + 2 * n * kappa), S(0), u * (moved + 2 * n * kappa) * t};
+  constexpr S turned(23), moved(15), control(46), translations(27);
+  const S n = palette.joints, kappa = palette.inverse_blend, t = palette.translation * kappa;
+  const auto move = [&](const S& error) {
+    const S dual = palette.translation / 2;
+    return move_of_error<S>({error, error * dual, dual, kappa});
+  };
+  const RoundingRates<S> vertex{u * (turned + turn_of_error(n, kappa)), S(0), u * (moved * t + move(n))};
+  const S halved = n + 4;  // of weight vertices
   return {vertex,
-          {vertex.per_length + u * (control + 2 * (n + 4) * kappa), S(0),
-           vertex.offset + u * (translations + 2 * (n + 4) * kappa) * t}};
+          {vertex.per_length + u * (control + turn_of_error(halved, kappa)), S(0),
+           vertex.offset + u * (translations * t + move(halved))}};
 }
 
 // The rates are by kind of skinning: linear, spherical (also for Hejl's), dual quaternion.

@@ -16,6 +16,7 @@
 #include "lemmas/b5_rotation_axis.hpp"
 #include "lemmas/b6_dual_quaternion_ball.hpp"
 #include "lemmas/b7_motion_bound.hpp"
+#include "lemmas/b8_blend_error.hpp"
 #include "lemmas/c1_chord_bound.hpp"
 #include "lemmas/c2_channel_motion.hpp"
 #include "lemmas/c3_normalized_motion.hpp"
