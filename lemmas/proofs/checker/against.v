@@ -47,9 +47,10 @@ Definition check_named (table : PositiveMap.t (point T)) (c : named T) (listed :
       end
   | _, _ => false
   end.
-Definition check_against (m : model T) (c : named T) : bool :=
+(* The table of a model serves all certificates that are checked against it. *)
+Definition check_against (m : model T) : named T -> bool :=
+  let table := numbered 1 (points m) in fun c =>
   let listed := combine (numbers c) (vertices (stated c)) in
-  let table := numbered 1 (points m) in
   let known := fold_right (fun entry => PositiveMap.add (fst entry) tt) (PositiveMap.empty unit) listed in
   match nth_error (nodes m) (node c) with
   | None => false

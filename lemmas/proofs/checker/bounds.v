@@ -31,6 +31,18 @@ Proof.
   assert (2 * (a * b) <= s * s - a * a - b * b) by (apply sq_le_inv; nra). apply sq_le_inv; nra.
 Qed.
 
+(* Both balls times a positive number. *)
+Lemma ball_is_inside_scaled m f r2 c s : 0 < m -> ball_is_inside (m *: f) (m * m * r2) (m *: c) (m * s) -> ball_is_inside f r2 c s.
+Proof.
+  unfold ball_is_inside. intros M (S & A & B). replace (m *: c - m *: f)%V with (m *: (c - f))%V in A, B by vec_ring.
+  rewrite norm2_scale in A, B. set (apart := norm2 (c - f)) in *. set (rest := s * s - apart - r2) in *.
+  replace (m * s * (m * s) - m * m * apart - m * m * r2) with (m * m * rest) in A, B by (unfold rest; ring).
+  assert (M2 : 0 < m * m) by now apply Rmult_lt_0_compat. repeat split.
+  - apply Rmult_le_reg_l with m; lra.
+  - apply Rmult_le_reg_l with (m * m); lra.
+  - apply Rmult_le_reg_l with (m * m * (m * m)); [now apply Rmult_lt_0_compat|]. lra.
+Qed.
+
 (* --- Control points (b1, b2) --- *)
 
 (* The point N / W is in the ball [c, s]. *)

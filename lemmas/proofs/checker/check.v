@@ -4,8 +4,8 @@ From Coq Require Import List Bool PeanoNat.
 Require Import Refitlab.theory.linear Refitlab.b3_subdivision Refitlab.a1_affine_image Refitlab.checker.certificate.
 Import ListNotations.
 
-(* What the checker computes with. There is no division: below a b is at most a / b, for 0 <= a and 0 < b. *)
-Class Num (T : Type) := { num_ops :> Ops T; half_of_one : T; below : T -> T -> T; leb : T -> T -> bool }.
+(* What the checker computes with. There is no division. *)
+Class Num (T : Type) := { num_ops :> Ops T; half_of_one : T; leb : T -> T -> bool }.
 
 (* --- Pairs and triples of weight vertices. What is made of a pair is made once: it stands in tables. --- *)
 
@@ -38,7 +38,6 @@ Definition ltb (a b : T) := negb (leb b a).
 Definition eqb (a b : T) := leb a b && leb b a.
 Definition two : T := add one one.
 Definition maxb (a b : T) := if leb a b then b else a.
-Definition minb (a b : T) := if leb a b then a else b.
 Definition vnorm2 (v : vec T) : T := vdot v v.
 Definition qnorm2 (q : quat T) : T := qdot q q.
 
@@ -69,10 +68,10 @@ Definition spherical_control_point (a b c : quat T * vec T) (ab bc ac : vec T * 
 Definition spherical_control_points (table : list (list ((quat T * vec T) * (vec T * T)))) : list (vec T * T) :=
   triples spherical_control_point table.
 
-(* A lower bound of kappa^2, the least (q, a)^2 / (||q||^2 ||a||^2). *)
-Definition squared_cap_cosine (a : quat T) (qs : list (quat T)) : T :=
-  fold_right minb one
-    (map (fun q => let g := qdot q a in below (mul g g) (mul (qnorm2 q) (qnorm2 a))) qs).
+(* kappa^2 as a numerator and a denominator: the least (q, a)^2 / (||q||^2 ||a||^2), and no more than 1. *)
+Definition lesser (k least : T * T) : T * T := if leb (mul (fst k) (snd least)) (mul (fst least) (snd k)) then k else least.
+Definition squared_cap_cosine (a : quat T) (qs : list (quat T)) : T * T :=
+  fold_right lesser (one, one) (map (fun q => let g := qdot q a in (mul g g, mul (qnorm2 q) (qnorm2 a))) qs).
 
 Definition check_spherical (x c : vec T) (s : T) (b : bound T) (xs : list (quat T * vec T)) : bool :=
   match b with
@@ -83,11 +82,13 @@ Definition check_spherical (x c : vec T) (s : T) (b : bound T) (xs : list (quat 
   | All_rotations => forallb (fun p => check_ball_inside (snd p) (vnorm2 x) c s) xs
   | Cap a =>
       forallb (fun p => ltb zero (qdot (fst p) a)) xs &&
-      (let a2 := qnorm2 a in
-       let h := maxb (sub (mul two (squared_cap_cosine a (map fst xs))) one) zero in
+      (let (num, den) := squared_cap_cosine a (map fst xs) in
+       let h := maxb (sub (mul two num) den) zero in  (* times the denominator, as all that follows *)
+       let a2 := qnorm2 a in
+       let scale := mul den a2 in
        let turned_x := lscale h (turned a x a) in
-       let r2 := mul (mul (sub one (mul h h)) (vnorm2 x)) (mul a2 a2) in
-       forallb (fun p => check_ball_inside (ladd (lscale a2 (snd p)) turned_x) r2 (lscale a2 c) (mul a2 s)) xs)
+       let r2 := mul (mul (sub (mul den den) (mul h h)) (vnorm2 x)) (mul a2 a2) in
+       forallb (fun p => check_ball_inside (ladd (lscale scale (snd p)) turned_x) r2 (lscale scale c) (mul scale s)) xs)
   | _ => false
   end.
 

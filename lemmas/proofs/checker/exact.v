@@ -10,7 +10,6 @@ Class Exact {T} {n : Num T} (value : T -> R) := {
   value_add : forall a b, value (add a b) = value a + value b;
   value_sub : forall a b, value (sub a b) = value a - value b;
   value_mul : forall a b, value (mul a b) = value a * value b;
-  value_below : forall a b, 0 <= value a -> 0 < value b -> 0 <= value (below a b) /\ value (below a b) * value b <= value a;
   value_leb : forall a b, leb a b = true <-> value a <= value b }.
 
 (* --- The same document over the reals --- *)
@@ -66,12 +65,6 @@ Proof. unfold eqb. rewrite andb_true_iff. intros [A B]. apply leb_sound in A, B.
 Lemma value_max a b : value (maxb a b) = Rmax (value a) (value b).
 Proof.
   unfold maxb, Rmax. destruct (leb a b) eqn:L; destruct (Rle_dec (value a) (value b)) as [H|H]; auto.
-  - apply value_leb in L. contradiction.
-  - apply value_leb in H. congruence.
-Qed.
-Lemma value_min a b : value (minb a b) = Rmin (value a) (value b).
-Proof.
-  unfold minb, Rmin. destruct (leb a b) eqn:L; destruct (Rle_dec (value a) (value b)) as [H|H]; auto.
   - apply value_leb in L. contradiction.
   - apply value_leb in H. congruence.
 Qed.

@@ -41,28 +41,14 @@ Definition number_leb (a b : number) : bool :=
   | Dyadic _ _, Dyadic _ _ => match number_sub a b with Dyadic m _ => (m <=? 0)%Z | Fraction _ => false end
   | _, _ => Qle_bool (fraction_of a) (fraction_of b)
   end.
-Definition quotient (a b : number) : number := Fraction (lowest (fraction_of a / fraction_of b)).
-(* Without a fraction: at most 2^-200 less. *)
-Definition dyadic_below (a b : number) : number :=
-  match a, b with
-  | Dyadic m e, Dyadic n f =>
-      let places := (200 + Z.max 0 (e - f))%Z in Dyadic (Z.shiftl m places / n) (e - f - places)
-  | _, _ => quotient a b
-  end.
-
 Definition number_ops : Ops number :=
   {| zero := Dyadic 0 0; one := Dyadic 1 0; add := number_add; sub := number_sub; mul := number_mul |}.
-(* With quotients as they are: what is extracted. With their dyadic bounds: what the kernel computes with. *)
-#[global] Instance num_fractions : Num number :=
-  {| num_ops := number_ops; half_of_one := Dyadic 1 (-1); below := quotient; leb := number_leb |}.
-Definition num_dyadic : Num number :=
-  {| num_ops := number_ops; half_of_one := Dyadic 1 (-1); below := dyadic_below; leb := number_leb |}.
+#[global] Instance num_exact : Num number := {| num_ops := number_ops; half_of_one := Dyadic 1 (-1); leb := number_leb |}.
 
-Definition check_exactly (c : certificate number) : bool := check (n := num_fractions) c.
-Definition check_exactly_against (m : model number) (c : named number) : bool := check_against (n := num_fractions) m c.
-Definition check_dyadic (c : certificate number) : bool := check (n := num_dyadic) c.
-(* There are no quotients here. This is what the kernel computes; quick.v has what is extracted. *)
-Definition check_pairs_exactly (c : pairs number) : bool := check_pairs (n := num_fractions) c.
+Definition check_exactly (c : certificate number) : bool := check (n := num_exact) c.
+Definition check_exactly_against (m : model number) : named number -> bool := check_against (n := num_exact) m.
+(* This is what the kernel computes; quick.v has what is extracted. *)
+Definition check_pairs_exactly (c : pairs number) : bool := check_pairs (n := num_exact) c.
 
 (* --- The real numbers that they stand for --- *)
 
@@ -73,7 +59,6 @@ Definition real (x : number) : R := match x with Dyadic m e => (IZR m * power2 e
 Definition exact_checker_is_sound : Prop := forall c, check_exactly c = true -> claim (certificate_map real c).
 Definition exact_checker_against_is_sound : Prop :=
   forall m c, check_exactly_against m c = true -> node_is_held (model_map real m) (named_map real c).
-Definition dyadic_checker_is_sound : Prop := forall c, check_dyadic c = true -> claim (certificate_map real c).
 Definition pairs_checker_is_sound : Prop := forall c, check_pairs_exactly c = true -> pairs_claim (pairs_map real c).
 
 (* --- Proofs --- *)
@@ -149,31 +134,6 @@ Proof.
     - apply le_IZR. nra. }
   destruct (e <=? f)%Z; now apply G in S.
 Qed.
-Lemma quotient_correct a b : 0 < real b -> real (quotient a b) * real b = real a.
-Proof.
-  intros B. unfold quotient. cbn [real]. rewrite lowest_correct, Q2R_div, !fraction_of_correct; [field; lra|].
-  intros Z. apply Qeq_eqR in Z. rewrite fraction_of_correct in Z. unfold Q2R in Z. cbn in Z. lra.
-Qed.
-Lemma quotient_nonneg a b : 0 <= real a -> 0 < real b -> 0 <= real (quotient a b).
-Proof. intros A B. pose proof (quotient_correct a b B). nra. Qed.
-Lemma dyadic_below_correct a b : 0 <= real a -> 0 < real b ->
-  0 <= real (dyadic_below a b) /\ real (dyadic_below a b) * real b <= real a.
-Proof.
-  assert (Q : 0 <= real a -> 0 < real b -> 0 <= real (quotient a b) /\ real (quotient a b) * real b <= real a).
-  { intros A B. split; [now apply quotient_nonneg|]. rewrite quotient_correct; lra. }
-  destruct a as [m e|p], b as [n f|q]; try exact Q. clear Q. cbn [dyadic_below real]. intros A B.
-  set (s := (200 + Z.max 0 (e - f))%Z). assert (S : (0 <= s)%Z) by (unfold s; lia).
-  cbn zeta. pose proof (power2_pos e). pose proof (power2_pos f).
-  assert (M : (0 <= m)%Z) by (apply le_IZR; nra). assert (N : (0 < n)%Z) by (apply lt_IZR; nra).
-  rewrite Z.shiftl_mul_pow2 by lia. set (k := (m * 2 ^ s / n)%Z).
-  assert (K0 : (0 <= k)%Z) by (apply Z.div_pos; nia). assert (K : (k * n <= m * 2 ^ s)%Z) by (unfold k; rewrite Z.mul_comm; apply Z.mul_div_le, N).
-  apply IZR_le in K0, K. rewrite !mult_IZR, <- power2_nat in K by lia. pose proof (power2_pos (e - f - s)).
-  split; [nra|].
-  replace (IZR k * power2 (e - f - s) * (IZR n * power2 f)) with (IZR k * IZR n * (power2 (e - f - s) * power2 f)) by ring.
-  rewrite <- power2_add. set (g := (e - f - s + f)%Z). replace e with (s + g)%Z by (unfold g; lia).
-  rewrite power2_add, <- Rmult_assoc. apply Rmult_le_compat_r; [left; apply power2_pos|]. lra.
-Qed.
-
 Lemma real_zero : real (Dyadic 0 0) = 0.
 Proof. cbn. ring. Qed.
 Lemma real_one : real (Dyadic 1 0) = 1.
@@ -181,31 +141,20 @@ Proof. unfold real, power2, powerRZ. ring. Qed.
 Lemma real_half : real (Dyadic 1 (-1)) = 1 / 2.
 Proof. unfold real, power2, powerRZ. cbn [Pos.to_nat Pos.iter_op]. rewrite pow_1. field. Qed.
 
-#[global] Instance exact_fractions : Exact (n := num_fractions) real.
+#[global] Instance exact_numbers : Exact (n := num_exact) real.
 Proof.
-  constructor; [exact real_zero|exact real_one|exact real_half| | | | |exact number_leb_correct].
+  constructor; [exact real_zero|exact real_one|exact real_half| | | |exact number_leb_correct].
   - apply number_add_correct.
   - apply number_sub_correct.
   - apply number_mul_correct.
-  - intros a b A B. cbn [below num_fractions]. split; [now apply quotient_nonneg|]. rewrite quotient_correct; lra.
-Qed.
-Definition exact_dyadic : Exact (n := num_dyadic) real.
-Proof.
-  constructor; [exact real_zero|exact real_one|exact real_half| | | | |exact number_leb_correct].
-  - apply number_add_correct.
-  - apply number_sub_correct.
-  - apply number_mul_correct.
-  - exact dyadic_below_correct.
 Qed.
 
 Theorem exact_checker_is_sound_holds : exact_checker_is_sound.
-Proof. intros c. exact (check_is_sound (n := num_fractions) real (ex := exact_fractions) c). Qed.
+Proof. intros c. exact (check_is_sound (n := num_exact) real (ex := exact_numbers) c). Qed.
 Theorem exact_checker_against_is_sound_holds : exact_checker_against_is_sound.
-Proof. intros m c. exact (check_against_sound (n := num_fractions) real (ex := exact_fractions) m c). Qed.
-Theorem dyadic_checker_is_sound_holds : dyadic_checker_is_sound.
-Proof. intros c. exact (check_is_sound (n := num_dyadic) real (ex := exact_dyadic) c). Qed.
+Proof. intros m c. exact (check_against_sound (n := num_exact) real (ex := exact_numbers) m c). Qed.
 Theorem pairs_checker_is_sound_holds : pairs_checker_is_sound.
-Proof. intros c. exact (check_pairs_sound (n := num_fractions) real (ex := exact_fractions) c). Qed.
+Proof. intros c. exact (check_pairs_sound (n := num_exact) real (ex := exact_numbers) c). Qed.
 
 (* The hypotheses can be met: two joints, a turn by 74 degrees between them, and a vertex of equal weights. With the ball a
    little smaller it is not accepted. *)
@@ -225,8 +174,6 @@ Definition named_pair := Named (turned_pair (Dyadic 3 0)) 0 [1%positive] [[4; 7]
 Example against_instance :
   check_exactly_against (turned_model (Dyadic 1 (-1)) (Dyadic 2 (-2))) named_pair = true /\
   check_exactly_against (turned_model (Dyadic 1 (-2)) (Dyadic 3 (-2))) named_pair = false.
-Proof. split; vm_compute; reflexivity. Qed.
-Example dyadic_instance : check_dyadic (turned_pair (Dyadic 3 0)) = true /\ check_dyadic (turned_pair (Dyadic 1 0)) = false.
 Proof. split; vm_compute; reflexivity. Qed.
 (* Two triangles of the first body and one of the second, which meets the first of them in its edge's third. With a plane that
    does not part the other two it is not accepted. *)

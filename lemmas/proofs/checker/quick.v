@@ -24,7 +24,7 @@ Definition any_leb (a b : number) : bool :=
   match a, b with Dyadic _ _, Dyadic _ _ => number_leb a b | _, _ => Qle_bool (any_fraction_of a) (any_fraction_of b) end.
 Definition num_any : Num number :=
   {| num_ops := {| zero := Dyadic 0 0; one := Dyadic 1 0; add := any_add; sub := any_sub; mul := any_mul |};
-     half_of_one := Dyadic 1 (-1); below := quotient; leb := any_leb |}.
+     half_of_one := Dyadic 1 (-1); leb := any_leb |}.
 
 (* --- The program --- *)
 
@@ -108,11 +108,10 @@ Proof.
 Qed.
 Definition exact_any : Exact (n := num_any) real.
 Proof.
-  constructor; [exact real_zero|exact real_one|exact real_half| | | | |exact any_leb_correct].
+  constructor; [exact real_zero|exact real_one|exact real_half| | | |exact any_leb_correct].
   - intros [m e|p] [n f|q]; try apply number_add_correct; cbn [add num_any num_ops any_add real]; now rewrite Q2R_plus, !any_fraction_of_correct.
   - intros [m e|p] [n f|q]; try apply number_sub_correct; cbn [sub num_any num_ops any_sub real]; now rewrite Q2R_minus, !any_fraction_of_correct.
   - intros [m e|p] [n f|q]; try apply number_mul_correct; cbn [mul num_any num_ops any_mul real]; now rewrite Q2R_mult, !any_fraction_of_correct.
-  - intros a b A B. cbn [below num_any]. split; [now apply quotient_nonneg|]. rewrite quotient_correct; lra.
 Qed.
 
 Lemma floor_bounds m d : (0 < d)%Z -> IZR (m / d) * IZR d <= IZR m < (IZR (m / d) + 1) * IZR d.

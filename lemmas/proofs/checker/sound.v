@@ -116,48 +116,68 @@ Proof.
   unfold dual_point, dmap. now rewrite mixed_is_turned.
 Qed.
 
-(* The least of the lower bounds is one of each. *)
-Lemma squared_cap_cosine_sound a qs : (forall q, In q qs -> 0 < dot (qmap q) (qmap a)) ->
-  0 <= value (squared_cap_cosine a qs) <= 1 /\
-  forall q, In q qs -> in_cone (qmap a) (value (squared_cap_cosine a qs)) (qmap q).
+(* The least fraction is one that each is no less than. *)
+Lemma squared_cap_cosine_sound a qs num den : (forall q, In q qs -> 0 < dot (qmap q) (qmap a)) -> squared_cap_cosine a qs = (num, den) ->
+  0 < value den /\ 0 <= value num / value den <= 1 /\ forall q, In q qs -> in_cone (qmap a) (value num / value den) (qmap q).
 Proof.
-  intros A. unfold squared_cap_cosine.
-  assert (B : forall q, In q qs -> let k := value (below (mul (qdot q a) (qdot q a)) (mul (qnorm2 q) (qnorm2 a))) in
-    0 <= k /\ k * (norm2 (qmap q) * norm2 (qmap a)) <= dot (qmap q) (qmap a) * dot (qmap q) (qmap a)).
-  { intros q I. specialize (A q I).
+  revert num den. induction qs as [|q qs IH]; intros num den A E; cbn [squared_cap_cosine map fold_right] in E.
+  - injection E as <- <-. autorewrite with values. split; [lra|]. split; [lra|intros q []].
+  - specialize (IH (fst (squared_cap_cosine a qs)) (snd (squared_cap_cosine a qs)) (fun p I => A p (or_intror I)) (surjective_pairing _)).
+    destruct IH as (D & [L U] & C). change (fold_right lesser _ _) with (squared_cap_cosine a qs) in E.
+    set (least := squared_cap_cosine a qs) in *. clearbody least.
+    specialize (A q (or_introl eq_refl)).
     assert (N : 0 < norm2 (qmap q) * norm2 (qmap a)) by (pose proof (cauchy (qmap q) (qmap a)); nra).
-    pose proof (value_below (Exact := ex) (mul (qdot q a) (qdot q a)) (mul (qnorm2 q) (qnorm2 a))) as E.
-    autorewrite with values in E. apply E; nra. }
-  induction qs as [|q qs IH]; cbn [map fold_right].
-  - autorewrite with values. split; [lra|intros q []].
-  - destruct IH as [[L U] C]; [intros p I; apply A; now right|intros p I; apply B; now right|].
-    destruct (B q (or_introl eq_refl)) as [K0 K]. specialize (A q (or_introl eq_refl)).
-    set (m := fold_right minb one _) in *. set (k := below _ _) in *. rewrite (value_min value).
-    split; [split; [now apply Rmin_glb|eapply Rle_trans; [apply Rmin_r|exact U]]|].
-    assert (W : forall p t, in_cone (qmap a) t p -> Rmin (value k) (value m) <= t -> in_cone (qmap a) (Rmin (value k) (value m)) p).
-    { intros p t [D E] M. split; [exact D|]. eapply Rle_trans; [|exact E]. apply Rmult_le_compat_r; auto.
+    set (g := dot (qmap q) (qmap a)) in *. set (norms := norm2 (qmap q) * norm2 (qmap a)) in *.
+    (* Less in fractions is less in products. *)
+    assert (Less : forall x y z w, 0 < y -> 0 < w -> x * w <= z * y -> x / y <= z / w).
+    { intros x y z w Y W X. apply Rmult_le_reg_r with (y * w); [now apply Rmult_lt_0_compat|].
+      replace (x / y * (y * w)) with (x * w) by (field; lra). replace (z / w * (y * w)) with (z * y) by (field; lra). exact X. }
+    assert (Wider : forall p t t', in_cone (qmap a) t p -> t' <= t -> in_cone (qmap a) t' p).
+    { intros p t t' [P K] M. split; [exact P|]. eapply Rle_trans; [|exact K]. apply Rmult_le_compat_r; auto.
       apply Rmult_le_pos; apply norm2_nonneg. }
-    intros p [<-|I].
-    + apply W with (value k); [|apply Rmin_l]. split; [lra|exact K].
-    + apply W with (value m); [now apply C|apply Rmin_r].
+    assert (Own : in_cone (qmap a) (g * g / norms) (qmap q)).
+    { split; [fold g; lra|]. fold norms. fold g. replace (g * g / norms * norms) with (g * g) by (field; lra). lra. }
+    unfold lesser in E. cbn [fst snd] in E.
+    destruct (leb (mul (mul (qdot q a) (qdot q a)) (snd least)) (mul (fst least) (mul (qnorm2 q) (qnorm2 a)))) eqn:F.
+    + injection E as <- <-. apply (leb_sound value) in F. autorewrite with values in F. autorewrite with values. fold g norms in F. fold g norms.
+      assert (M : g * g / norms <= value (fst least) / value (snd least)) by now apply Less.
+      split; [exact N|]. split; [split; [|lra]|].
+      * apply Rmult_le_pos; [nra|left; now apply inv_pos].
+      * intros p [<-|I]; [exact Own|]. eapply Wider; [now apply C|exact M].
+    + subst least. cbn [fst snd] in *. split; [exact D|]. split; [lra|].
+      assert (M : value num / value den <= g * g / norms).
+      { apply Less; auto. destruct (Rle_or_lt (value num * norms) (g * g * value den)) as [|G]; auto. exfalso.
+        assert (Wrong : leb (mul (mul (qdot q a) (qdot q a)) den) (mul num (mul (qnorm2 q) (qnorm2 a))) = true);
+          [|congruence]. apply value_leb. autorewrite with values. fold g norms. lra. }
+      intros p [<-|I]; [eapply Wider; [exact Own|exact M]|now apply C].
 Qed.
 
 Lemma spherical_cap_sound x c s a xs :
   check_spherical x c s (Cap a) xs = true -> all_blends (spherical_good (vmap x) (vmap c) (value s)) (map smap xs).
 Proof.
-  cbn [check_spherical]. rewrite andb_true_iff, !forallb_forall. intros [A C].
+  cbn [check_spherical]. rewrite andb_true_iff, forallb_forall. intros [A C].
   assert (P : forall p, In p xs -> 0 < dot (qmap (fst p)) (qmap a)).
   { intros p I. apply A, (ltb_sound value) in I. now autorewrite with values in I. }
   destruct xs as [|x0 xs0]. { intros z (u & U & _). now apply convex_not_empty in U. }
   set (xs := x0 :: xs0) in *.
-  destruct (squared_cap_cosine_sound a (map fst xs)) as [K F].
+  destruct (squared_cap_cosine a (map fst xs)) as [num den] eqn:E. rewrite forallb_forall in C.
+  destruct (squared_cap_cosine_sound a (map fst xs) num den) as (D & K & F); [|exact E|].
   { intros q I. apply in_map_iff in I as (p & <- & I). now apply P. }
-  set (k := squared_cap_cosine a (map fst xs)) in *.
-  apply (cap_good _ _ _ (qmap a) (value k)); auto.
+  apply (cap_good _ _ _ (qmap a) (value num / value den)); auto.
   - intros Z. specialize (P x0 (or_introl eq_refl)). rewrite Z, dot_zero_r in P. lra.
   - intros p I. apply in_map_iff in I as (p' & <- & I). apply F, in_map, I.
   - intros p I. apply in_map_iff in I as (p' & <- & I). apply C, check_ball_inside_sound in I.
-    autorewrite with values in I. exact I.
+    autorewrite with values in I. unfold height. set (h := Rmax (2 * (value num / value den) - 1) 0).
+    assert (H : Rmax (2 * value num - value den) 0 = value den * h).
+    { unfold h. replace (2 * value num - value den) with (value den * (2 * (value num / value den) - 1)) by (field; lra).
+      rewrite <- (Rmult_0_r (value den)) at 1. apply RmaxRmult. lra. }
+    rewrite H in I. cbn [smap fst snd]. set (a2 := norm2 (qmap a)) in *. apply (ball_is_inside_scaled (value den)); [exact D|].
+    replace (value den *: (a2 *: vmap (snd p') + h *: turned (qmap a) (vmap x) (qmap a)))%V with
+      ((value den * a2) *: vmap (snd p') + (value den * h) *: turned (qmap a) (vmap x) (qmap a))%V by vec_ring.
+    replace (value den * value den * ((1 - h * h) * norm2 (vmap x) * (a2 * a2))) with
+      ((value den * value den - value den * h * (value den * h)) * norm2 (vmap x) * (a2 * a2)) by ring.
+    replace (value den *: (a2 *: vmap c))%V with ((value den * a2) *: vmap c)%V by vec_ring.
+    replace (value den * (a2 * value s)) with (value den * a2 * value s) by ring. exact I.
 Qed.
 Lemma spherical_all_sound x c s xs :
   check_spherical x c s All_rotations xs = true -> all_blends (spherical_good (vmap x) (vmap c) (value s)) (map smap xs).

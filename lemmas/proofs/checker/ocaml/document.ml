@@ -25,52 +25,72 @@ let digest v =
 
 (* --- Fractions. What is read says how long the numbers are. --- *)
 
-(* Of a document that the caller chose, numbers may be of any length. *)
-type lengths = { mutable scale : Integer.t; mutable all : Rational.t list; is_limited : bool }
-let no_numbers () = { scale = Integer.one; all = []; is_limited = true }
+(* The common denominator of all numbers is 2^twos times odd. Of those whose denominators are powers of two, 2^t, excess is the greatest
+   number of bits less t; the others are kept. Of a document that the caller chose, numbers may be of any length. *)
+type lengths = {
+  mutable twos : int; mutable odd : Integer.t; mutable excess : int; mutable others : Rational.t list; is_limited : bool }
+let no_numbers () = { twos = 0; odd = Integer.one; excess = min_int / 2; others = []; is_limited = true }
 let of_any_length () = { (no_numbers ()) with is_limited = false }
 
-let is_decimal s first last =
-  let rec all i = i >= last || (s.[i] >= '0' && s.[i] <= '9' && all (i + 1)) in
-  last > first && last - first <= most_digits && all first
+let bits_of_scale n = Integer.numbits n.odd + n.twos
+(* The bits of the longest of the numbers over the common denominator. *)
+let longest n =
+  let scale = Integer.shift_left n.odd n.twos in
+  let length q = Integer.numbits (Rational.num q) + Integer.numbits (Integer.divexact scale (Rational.den q)) in
+  List.fold_left (fun most q -> max most (length q)) (max 0 (n.excess + bits_of_scale n)) n.others
+let widen n twos odd =
+  n.twos <- max n.twos twos;
+  if not (Integer.divisible n.odd odd) then n.odd <- Integer.lcm n.odd odd;
+  require (bits_of_scale n <= most_bits) "the common denominator has more than 8192 bits"
 
-(* Denominators come again and again. *)
-let denominators : (string, Integer.t) Hashtbl.t = Hashtbl.create 100
-let denominator text = match Hashtbl.find_opt denominators text with
-  | Some d -> d
-  | None ->
-      let d = Integer.of_string text in
-      if Hashtbl.length denominators > 1000 then Hashtbl.reset denominators;
-      Hashtbl.add denominators text d;
-      d
+let rec end_of_digits s i = if i < String.length s && s.[i] >= '0' && s.[i] <= '9' then end_of_digits s (i + 1) else i
+(* So many digits are an int for sure. *)
+let digits_of_int = 18
+let rec int_of_digits s i last value = if i = last then value else int_of_digits s (i + 1) last ((10 * value) + Char.code s.[i] - 48)
+let integer_of_digits s first last =
+  if last - first <= digits_of_int then Integer.of_int (int_of_digits s first last 0)
+  else Integer.of_substring s ~pos:first ~len:(last - first)
 
-let number lengths v =
+(* m / 2^twos in lowest terms. *)
+let dyadic n m twos =
+  let shared = if Integer.sign m = 0 then twos else min twos (Integer.trailing_zeros m) in
+  let m = Integer.shift_right m shared and twos = twos - shared in
+  if n.is_limited then begin
+    if twos > n.twos then widen n twos Integer.one;
+    n.excess <- max n.excess (Integer.numbits m - twos)
+  end;
+  Dyadic (m, Integer.of_int (-twos))
+let fraction n num den =
+  let q = Rational.make num den in
+  let num, den = Rational.num q, Rational.den q in
+  let twos = Integer.trailing_zeros den in
+  if twos = Integer.numbits den - 1 then dyadic n num twos
+  else begin
+    if n.is_limited then begin
+      widen n twos (Integer.shift_right den twos);
+      n.others <- q :: n.others
+    end;
+    Fraction { qnum = num; qden = den }
+  end
+
+let number n v =
   let s = text v in
   let length = String.length s in
   let first = if length > 0 && s.[0] = '-' then 1 else 0 in
-  let line = match String.index_opt s '/' with None -> length | Some i -> i in
+  let line = end_of_digits s first in
+  let are_digits first last = last > first && last - first <= most_digits in
   require
-    (is_decimal s first line && (line = length || (is_decimal s (line + 1) length && s.[line + 1] <> '0')))
+    (are_digits first line
+     && (line = length
+         || (s.[line] = '/' && are_digits (line + 1) length && s.[line + 1] <> '0' && end_of_digits s (line + 1) = length)))
     "no fraction of at most 400 digits each";
-  let num = Integer.of_substring s ~pos:0 ~len:line in
-  let den = if line = length then Integer.one else denominator (String.sub s (line + 1) (length - line - 1)) in
-  let twos = Integer.trailing_zeros den in
-  let is_dyadic = Integer.equal den (Integer.shift_left Integer.one twos) in
-  (* In lowest terms; of a power of two only twos are shared. *)
-  let q = if is_dyadic then begin
-      let shared = if Integer.sign num = 0 then twos else min twos (Integer.trailing_zeros num) in
-      { Rational.num = Integer.shift_right num shared; den = Integer.shift_right den shared }
-    end else Rational.make num den in
-  let num, den = Rational.num q, Rational.den q in
-  if lengths.is_limited then begin
-    if not (Integer.divisible lengths.scale den) then begin
-      lengths.scale <- Integer.lcm lengths.scale den;
-      require (Integer.numbits lengths.scale <= most_bits) "the common denominator has more than 8192 bits"
-    end;
-    lengths.all <- q :: lengths.all
-  end;
-  if is_dyadic then Dyadic (num, Integer.of_int (-(Integer.trailing_zeros den)))
-  else Fraction { qnum = num; qden = den }
+  let size = integer_of_digits s first line in
+  let num = if first = 1 then Integer.neg size else size in
+  if line = length then dyadic n num 0
+  else
+    let den = integer_of_digits s (line + 1) length in
+    let twos = Integer.trailing_zeros den in
+    if twos = Integer.numbits den - 1 then dyadic n num twos else fraction n num den
 
 let vec n v = match list (number n) v with [ vx; vy; vz ] -> { vx; vy; vz } | _ -> raise (Rejected "no point")
 let quat n v = match list (number n) v with
@@ -163,11 +183,8 @@ let costs_of_vertices pieces vertices =
     Integer.of_int (1 + (List.length v.shares * (n + (((n * n) + m) / steps_a_unit)))) in
   List.map cost vertices
 
-let require_little_work lengths costs =
-  let bits = Integer.numbits lengths.scale in
-  let length q = Integer.numbits (Rational.num q) + Integer.numbits (Integer.divexact lengths.scale (Rational.den q)) in
-  let longest = List.fold_left (fun most q -> max most (length q)) 0 lengths.all in
-  let factor = Integer.of_int (1 + ((bits + longest) / 512)) in
+let require_little_work n costs =
+  let factor = Integer.of_int (1 + ((bits_of_scale n + longest n) / 512)) in
   let work = Integer.(mul (List.fold_left add zero costs) (mul factor factor)) in
   require (Integer.leq work (Integer.of_int most_work)) "the proofs take too much work"
 

@@ -10,14 +10,13 @@ let most_bytes = 1 lsl 24
 let read path = let file = open_in_bin path in
   Fun.protect ~finally:(fun () -> close_in file) (fun () -> really_input_string file (in_channel_length file))
 
-(* What the proofs say of the model; that it is the one meant is said by its digest. *)
-let require_of_model (c : certificate_file) (m : model_file) =
+(* What the proofs say of the model, by the checker that has it; that it is the one meant is said by its digest. *)
+let require_of_model (c : certificate_file) (m, check) =
   require (c.of_model = m.model_digest) "the model is another one";
   require (c.number_of_node >= 0) "node is none of the model's";
   let numbers = List.map vertex_number c.ids in
   require
-    (Checker.check_exactly_against m.model
-       { stated = c.document; node = c.number_of_node; numbers; joints = c.sets_of_joints })
+    (check { Checker.stated = c.document; node = c.number_of_node; numbers; joints = c.sets_of_joints })
     "a vertex of the node is left out, or is not as the model has it"
 
 let require_of_pose (c : certificate_file) (p : pose_file) =
@@ -60,11 +59,13 @@ let files path =
 
 let say verdict path reason = Printf.printf "%s: %s: %s\n" verdict (string_of path) reason
 
-(* The functions that are extracted walk long lists by calling themselves, so the program begins again with the largest stack
-   that it may have. *)
+(* The functions that are extracted walk long lists by calling themselves. So where a file may have a list of more than some ten thousand
+   members, the program begins again with the largest stack that it may have. *)
+let bytes_for_any_stack = 1 lsl 16
 let () =
   let begun = "REFITLAB_CHECKER_HAS_ITS_STACK" in
-  if Sys.getenv_opt begun = None then begin
+  let is_large path = try Unix.((stat path).st_size > bytes_for_any_stack) with Unix.Unix_error _ -> false in
+  if Sys.getenv_opt begun = None && List.exists is_large (List.concat_map files (List.tl (Array.to_list Sys.argv))) then begin
     Unix.putenv begun "yes";
     let largest = "ulimit -s unlimited 2>/dev/null || ulimit -s $(ulimit -H -s) 2>/dev/null; exec \"$0\" \"$@\"" in
     try Unix.execv "/bin/sh" (Array.append [| "sh"; "-c"; largest; Sys.executable_name |] (Array.sub Sys.argv 1 (Array.length Sys.argv - 1)))
@@ -75,6 +76,9 @@ let () =
 let () = Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 20; space_overhead = 400 }
 
 let () =
+  let model text =
+    let m = Document.model text in
+    m, Checker.check_exactly_against m.model in
   let bound_to reader path =
     try reader (read path) with
     | Rejected reason | Sys_error reason -> say "unreadable" path (string_of reason); exit 2
@@ -86,9 +90,9 @@ let () =
         Pairs.prove (Some (first, second)), rest
     | "--pairs" :: rest -> Pairs.prove None, rest
     | "--against" :: m :: "--pose" :: p :: rest ->
-        let model = bound_to Document.model m in
+        let model = bound_to model m in
         prove_ball (Some model) (Some (bound_to Document.pose p)), rest
-    | "--against" :: m :: rest -> prove_ball (Some (bound_to Document.model m)) None, rest
+    | "--against" :: m :: rest -> prove_ball (Some (bound_to model m)) None, rest
     | rest -> prove_ball None None, rest in
   if arguments = [] then
     prerr_endline "usage: check [--against MODEL [--pose POSE] | --pairs [--against FIRST SECOND]] FILE_OR_FOLDER...";

@@ -12,9 +12,7 @@ let list_or_none read = function `List l -> List.map read l | _ -> raise (Reject
 let triple read v = match list read v with [ a; b; c ] -> a, b, c | _ -> raise (Rejected "no list of three")
 
 (* The bits of the common denominator and of the longest of the numbers over it. *)
-let bits n =
-  let length q = Integer.numbits (Rational.num q) + Integer.numbits (Integer.divexact n.scale (Rational.den q)) in
-  Integer.numbits n.scale + List.fold_left (fun most q -> max most (length q)) 0 n.all
+let bits n = bits_of_scale n + longest n
 
 let body n v = match members [ "name"; "triangles"; "vertices" ] v with
   | [ name; triangles; vertices ] ->
