@@ -73,7 +73,7 @@ let () =
   end
 
 (* Documents are read into lists of many short-lived numbers. *)
-let () = Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 20; space_overhead = 400 }
+let () = Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 18; space_overhead = 1000 }
 
 let () =
   let model text =
