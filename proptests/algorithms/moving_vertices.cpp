@@ -299,6 +299,26 @@ void what_renderers_and_weights_are_off_by(Suite& t) {
 }
 
 void what_is_not_followed_or_costs_nothing(Suite& t) {
+  t.example("where a rotation center stays, since rotations hardly differ, it need not be where the images of a far vertex meet",
+            {}, [] {
+              // The second joint turns by less than moves a center. Its translation puts the vertex back to where it was, so that both images are one.
+              const double angle = 0.9e-4, far = 1000;
+              const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
+              Model model = turning(0);
+              model.vertices = {{far, 0, 0}};
+              NodeTrack& track = model.clips[0].animation.tracks[0];
+              track.rotations.keys = {{0, turn}};
+              track.positions.keys = {{0, model.vertices[0] - turn * model.vertices[0]}};
+              const JointSets sets(model);
+              const AnimatedJoints joints(model, model.clips[0].animation, true);
+              const MovingVertices spherical(model, sets, Skinning::spherical, {0});
+              const CellSlack slack = spherical.slack(joints.cell(0, 0, joints.times()[1]), Finite::must_be);
+              // Turned half as far about the origin, by its linear blend it would be on the chord of that arc.
+              const double off = far * (1 - std::cos(angle / 2));
+              return Checked(
+                  slack.followed == Followed::linear_blend && off > 1e-7 && slack.beyond[0] > off && slack.beyond[0] < 10 * off,
+                  1, std::to_string(slack.beyond[0] / off) + " times as much is allowed for");
+            });
   t.example("there are no bounds of Hejl's centers", {}, [] {
     const Model model = turning(60);
     try {
