@@ -109,7 +109,7 @@ const DeformedReference* ClusterBody::deform(const Deformation& deformation) {
 }
 
 void ClusterBody::start() {
-  are_floats_filled_ = is_all_skinned_ = is_rather_skinned_ = false;
+  are_floats_filled_ = is_all_skinned_ = is_rather_skinned_ = is_shared_ = false;
   wide_nodes_made_.begin();
   nodes_bounded_ = work_ = 0;
 }

@@ -13,6 +13,9 @@ namespace refitlab {
 
 class ClusterBody {
  public:
+  // A body of which a query has skinned so many clusters touches another one, or nearly does.
+  static constexpr int least_clusters_of_contact = 8;
+
   // tree must outlive this.
   ClusterBody(const ClusterTree& tree, Skinning skinning);
   ClusterBody(const ClusterBody&) = delete;  // a copy would write into the arrays of this one
@@ -52,19 +55,22 @@ class ClusterBody {
     return wide_node_boxes_[wide_node];
   }
 
-  // Puts the box of a skinned cluster in the place of its bound, after skin_rather(). (Otherwise the result would depend on the
-  // order in which others ask.)
+  // Puts the box of a cluster that a query has skinned in the place of its bound, if clusters are skinned rather than bounded; and from
+  // several such clusters on, they are, unless the body is shared.
   void tighten(int cluster) {
+    if (!is_shared_ && clusters_.clusters_skinned() >= least_clusters_of_contact && is_skinned_in_float()) skin_rather();
     if (!is_rather_skinned_) return;
     const Cluster& c = tree_.clusters()[cluster];
     put_box(&wide_node_blocks_[first_block_of_wide_node_[c.wide_node]], c.child, clusters_.cluster(cluster).box);
   }
+  // Says that queries of this frame may come in any order, and that its boxes must not depend on that.
+  void share() { is_shared_ = true; }
 
   // Returns whether clusters are skinned in float, except joint-sets for which this is not known to be right.
   bool is_skinned_in_float() const { return !is_deformed_ && (skinning_ == Skinning::spherical || skinning_ == Skinning::hejl); }
 
-  // From now on, clusters are skinned rather than bounded where all children of a wide node are clusters, but not below the
-  // root. In float this takes about as long, and boxes are tighter; but more is skinned where little touches.
+  // From now on in this frame, clusters are skinned rather than bounded where all children of a wide node are clusters, but not below
+  // the root. In float this takes about as long, and boxes are tighter; but more is skinned where little touches.
   void skin_rather() { is_rather_skinned_ = true; }
 
   // Skins everything. Boxes that are not made yet are then made around skinned vertices.
@@ -126,7 +132,7 @@ class ClusterBody {
   Box<double> motion_bound_box_;
   JointFloats joints_;
   bool is_motion_bound_made_ = false, is_whole_expected_ = false, is_affine_ = false, are_joints_placed_ = false,
-       are_floats_filled_ = false, is_all_skinned_ = false, is_rather_skinned_ = false, is_deformed_ = false;
+       are_floats_filled_ = false, is_all_skinned_ = false, is_rather_skinned_ = false, is_shared_ = false, is_deformed_ = false;
   std::optional<Deformed> deformed_;  // made when a frame first needs it
   FrameStamps wide_nodes_made_;
   std::vector<int> first_block_of_wide_node_;

@@ -34,28 +34,26 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
   if (memory && query == Query::yes_no)
     if (const auto pair = still_touching(first, second, *memory, counts)) {
       memory->remember(*pair);
-      memory->are_near = memory->are_touching = true;
+      memory->are_near = true;
       return {*pair};
     }
   // Near bodies are told apart by their wide nodes, if at all.
   if (!memory || !memory->are_near) {
     ++counts.ball_tests;
     if (are_apart(first.motion_bound(), second.motion_bound())) {
-      if (memory) memory->are_near = memory->are_touching = false, memory->count_query(0);
+      if (memory) memory->are_near = false, memory->count_query(0);
       return {};
     }
   }
   const bool are_in_float = first.is_skinned_in_float() && second.is_skinned_in_float();
   const bool is_whole = memory && memory->are_entangled() && are_in_float;
   if (is_whole) first.skin_all(), second.skin_all();
-  else if (memory && memory->are_touching && are_in_float) first.skin_rather(), second.skin_rather();
   auto& scratch = first.query_scratch();
   ClusterPairs of_clusters(first.clusters(), second.clusters(), counts, scratch.pairs);
   auto pairs = ClusterTraversal(first, second, of_clusters, query, counts, scratch.hits).run();
   if (memory) {
     memory->are_near = !are_apart(first.wide_node_box(0), of_clusters.moved(second.wide_node_box(0)));
     memory->remember(pairs);
-    memory->are_touching = !pairs.empty();
     if (!memory->are_near) memory->count_query(0);
     else if (is_whole) memory->count_whole_query();
     else memory->count_query(are_in_float ? first.excess_work() + second.excess_work() : 0);

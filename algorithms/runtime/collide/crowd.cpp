@@ -91,6 +91,7 @@ std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query que
   const auto pairs = meeting(boxes);
   counts.pairs_of_boxes += static_cast<long>(pairs.size());
 
+  for (ClusterBody* body : bodies) body->share();
   std::vector<Contact> found(pairs.size());
   std::vector<QueryCounts> tests(pairs.size());
   std::vector<std::mutex> in_work(bodies.size());

@@ -32,7 +32,7 @@ Workers one_worker();
 // Returns the contacts among bodies that have begun the same frame, sorted by first and second. Nothing is remembered from
 // frame to frame. Only one thread works on a body at a time, so more threads pay where bodies have few neighbours. Neither the
 // contacts nor the sets of their pairs depend on the threads; the order of pairs, and which pair a yes/no query finds, do for
-// bodies that a query with a memory has met in this frame. If a task throws, the exception is thrown again once all tasks
+// bodies that collide() has compared in this frame before. If a task throws, the exception is thrown again once all tasks
 // have ended. Throws std::invalid_argument for a body that is listed twice, and for a null pointer, and std::logic_error for a
 // body that has begun no frame.
 std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query query, CrowdCounts& counts,

@@ -31,8 +31,6 @@ class PairMemory {
 
   // This says whether the bounds of the two bodies met when they were last compared.
   bool are_near = false;
-  // This says whether the bodies touched in the last query.
-  bool are_touching = false;
   // Returns whether the next query skins both bodies whole.
   bool are_entangled() const { return whole_queries_ > 0; }
   // These remember that a query skinned both bodies whole, or else how much more work it did than that. If it did more, some of
