@@ -16,6 +16,7 @@ from .tables import ResultError
 from .verdicts import Verdict, said_of_claims
 
 OPENING, CLOSING = "<!-- statements -->\n", "<!-- /statements -->"  # around the table in README
+OPENING_OF_PROOFS, CLOSING_OF_PROOFS = "<!-- proofs -->\n", "<!-- /proofs -->"  # around the sentences about all proofs there
 USED_BY = re.compile(r"// Used by: (.*(?:\n// .*)*)\n\Z")
 
 
@@ -130,3 +131,16 @@ def markdown(found):
         tests, proofs, run_by = cells(s, lambda name: f"`{name}`", str)
         rows.append([f"[{s.verdict.lemma}]({s.suite})", "<br>".join(tests), "<br>".join(proofs), run_by])
     return "".join("| " + " | ".join(row).replace("||", "\\|\\|") + " |\n" for row in rows)
+
+
+def said_of_proofs(root):
+    """Returns how many statements are proved and refuted in Coq, and on which axioms, in whole sentences."""
+    rows = [row for of_stem in rows_by(root / "lemmas/proofs/status.csv", lambda row: row["stem"]).values() for row in of_stem]
+    proved, refuted = ([row for row in rows if row["status"] == status] for status in ("proved", "refuted"))
+    by_paper = sum(row["form"] in ("printed", "implied") for row in refuted)
+    try:
+        axioms = sum(line.startswith("used ") for line in (root / "lemmas/proofs/axioms.txt").read_text(encoding="utf-8").splitlines())
+    except OSError as error:
+        raise ResultError(f"{error.filename}: cannot be read: {error}") from error
+    return (f"In Coq {len(proved)} statements are proved. {len(refuted)} are proved false, {by_paper} of them as the paper prints or implies them. Nothing is admitted, and the\n"
+            f"theorems rest on {axioms} axioms, which are those of Coq's real numbers. (`lemmas/proofs/check` compiles and checks them all.)\n")
