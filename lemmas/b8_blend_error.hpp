@@ -6,7 +6,7 @@
 //   ||R_q' x - R_q x|| <= 2 kappa e ||x||.
 // Let also kappa ||q'|| >= 1, ||d' - d|| <= f and ||d|| <= l. Then the translations t(q, d) = 2 Im(d q*) / ||q||^2 are:
 //   ||t(q', d') - t(q, d)|| <= 2 kappa (f + kappa e l).
-// No smaller factors than 2 kappa will do in the first, and of f.
+// No factor below 2 kappa will do in the first bound, nor before f in the second.
 //
 // Goes beyond: section 3, whose blends are those of exact arithmetic.
 // Notation: q + eps d, q' + eps d' -> blend, other; e, f, kappa, l -> error.

@@ -319,9 +319,10 @@ void check_scales() {
     const auto& exact = c.sets[s].palette;
     const std::size_t n = exact.transforms.size();
     RC_ASSERT(scales.joints == double(n));
+    const Rational longest = sq(1 + as_rational(scales.unit_defect));  // of a quaternion, squared, or more
     for (std::size_t j = 0; j < n; ++j) {
       RC_ASSERT(squared_norm(exact.center_images[j]) <= sq(as_rational(scales.center_image)));
-      RC_ASSERT(squared_norm(exact.transforms[j].translation) <= sq(as_rational(scales.translation)));
+      RC_ASSERT(squared_norm(exact.transforms[j].translation) * longest <= sq(as_rational(scales.translation)));
       const Rational defect = squared_norm(exact.transforms[j].rotation) - 1;
       RC_ASSERT((defect < 0 ? Rational(-defect) : defect) <= as_rational(scales.unit_defect));
     }
@@ -335,7 +336,9 @@ void check_scales() {
     for (const auto& w : weights) {
       Quaternion<Rational> blend = exact.transforms[0].rotation * w[0];
       for (std::size_t j = 1; j < n; ++j) blend = blend + exact.transforms[j].rotation * w[j];
-      RC_ASSERT(squared_norm(blend) >= least);
+      // A blend that is computed may be shorter by n u.
+      const Rational shorter = Rational(1) - Rational(long(n)) * as_rational(u) * as_rational(scales.inverse_blend);
+      RC_ASSERT(squared_norm(blend) * sq(shorter) >= least * longest);
     }
   }
 }

@@ -495,6 +495,15 @@ void new_edges_and_middles_need_each_part(Suite& t) {
 }
 
 void pinned_cases(Suite& t) {
+  t.example("the widest edge has two ends, where a weight vertex is 0, too", {}, [] {
+    const RationalQuaternion zero(0, 0, 0, 0), a(1, 0, 0, 0), b(Rational(3, 5), Rational(4, 5), 0, 0);
+    bool ok = true;
+    for (const std::vector<RationalQuaternion>& q : {std::vector{zero, a}, {a, zero}, {zero, a, b}, {a, b, zero}, {zero, zero}}) {
+      const auto edge = widest_edge<Rational>(q.size(), [&](std::size_t k, std::size_t l) { return dot(q[k], q[l]); });
+      ok = ok && edge.first < q.size() && edge.second < edge.first;
+    }
+    return Checked(ok, 5);
+  });
   t.example("a blend beyond the weight vertices is in no half", {.form = "beyond", .hypothesis = "the weights are convex"}, [] {
     const Span u(b3::beyond_the_first);
     return halving_hypotheses(b3::edge, {0, 1}, u) == Verdict::fails && halves_cover(b3::edge, 0, 1, u).verdict == Verdict::fails;

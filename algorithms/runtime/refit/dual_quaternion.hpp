@@ -33,7 +33,8 @@ inline constexpr double least_fallback_cosine = 1e-4, least_fallback_length = 1e
 
 // Returns what a fallback in double may lose by rounding, relative to the sum of its radius, t, ||p|| and ||f||, for this many joints.
 // The q'_k and d'_k are off by (n + 4) u of 1 and of half of t. So the E_k are off by (n + 14) u of t + ||p|| + ||f||, and (q'_k, a) / ||a||
-// by (n + 8) u; and this is what both are divided by. proptests/algorithms/control_budgets.cpp derives these counts.
+// by (n + 8) u. Both errors are divided by (q'_k, a) / ||a||, which is at least the least cosine times the least length.
+// proptests/algorithms/control_budgets.cpp derives these counts.
 constexpr double fallback_slack(double joints) {
   return (joints + 16) * (std::numeric_limits<double>::epsilon() / 2) / (least_fallback_cosine * least_fallback_length);
 }
@@ -112,7 +113,10 @@ class DualQuaternionPiece {
 
   S rounding_of(const Vec<S, 3>& middle, const S& reach) const {
     if constexpr (!std::is_floating_point_v<S>) return S(0);
-    else return S(fallback_slack(joints_)) * (reach + translation_ + norm(point_) + norm(middle));
+    else {
+      static_assert(std::is_same_v<S, double>);
+      return S(fallback_slack(joints_)) * (reach + translation_ + norm(point_) + norm(middle));
+    }
   }
 
   static bool is_ahead(std::span<const WeightVertex> weight_vertex, const Quaternion<S>& axis) {

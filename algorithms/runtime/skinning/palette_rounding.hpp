@@ -64,8 +64,8 @@ template <class S>
 struct PaletteScales {
   S joints;         // n
   S center_image;   // T, the longest C_j r_c
-  S translation;    // t, the longest t_j
-  S inverse_blend;  // kappa: at least 1 / ||sum w_i q_i|| for all convex weights, but at most sqrt(2 / least_squared_length)
+  S translation;    // t, at least (1 + unit_defect) ||t_j||
+  S inverse_blend;  // kappa: at least (1 + unit_defect) / ||sum w_i q_i|| for all convex weights, and for blends as computed
   S unit_defect;    // the greatest | ||q_j||^2 - 1 |
   S matrix;         // F of affine joints, to which the scales of rotations do not apply
 };
@@ -80,7 +80,7 @@ S stretch_of(const AffineMap<S>& map) {
 
 // Measures the scales. Let d be the least ||q_i||^2, and c the least (q_i, q_j) of all pairs, or d if that is less. Then
 //   ||sum w_i q_i||^2 >= d sum w_i^2 + c (1 - sum w_i^2) >= c + (d - c) / n.
-// Blends at weight vertices are no shorter than least_squared_length says. Between such that are 60 degrees apart at most, and in caps of
+// kappa is no greater than for a squared length of half of least_squared_length. Blends at weight vertices are no shorter than least_squared_length says. Between such that are 60 degrees apart at most, and in caps of
 // up to 45 degrees, they are shorter by sqrt(1/2) at most.
 template <class S>
 PaletteScales<S> measure_palette(std::span<const RigidTransform<S>> transforms, std::span<const Vec<S, 3>> center_images) {
@@ -99,7 +99,10 @@ PaletteScales<S> measure_palette(std::span<const RigidTransform<S>> transforms, 
   dot_product = min_of(dot_product, shortest);
   const S n(static_cast<double>(transforms.size()));
   const S squared_blend = max_of(S(dot_product + (shortest - dot_product) / n - rounding), S(least_squared_length<S>() / 2));
-  return {n, root(image) * up, root(translation) * up, up / root(squared_blend), defect + rounding, S(0)};
+  // Quaternions are no longer than 1 + defect, and computed blends shorter by n u at most.
+  const S off = defect + rounding,
+          longer = (S(1) + off) * (S(1) + n * S(std::numeric_limits<S>::epsilon()) / root(squared_blend));
+  return {n, root(image) * up, root(translation) * up * (S(1) + off), up * longer / root(squared_blend), off, S(0)};
 }
 
 template <class S>
