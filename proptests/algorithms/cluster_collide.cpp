@@ -678,41 +678,6 @@ void pairs_that_touch_and_pairs_that_are_remembered(Suite& t) {
   });
 }
 
-// A sheet of squares of one joint, whose vertices are off its plane by a few times so much.
-SkinnedMesh sheet(int squares, double off) {
-  SkinnedMesh mesh;
-  mesh.name = "sheet";
-  mesh.joints = {{"joint", -1, {0, 0, 0}}};
-  for (int y = 0; y <= squares; ++y)
-    for (int x = 0; x <= squares; ++x)
-      mesh.vertices.emplace_back(x / 4.0, y / 4.0, off * ((7 * x + 13 * y) % 5 - 2)), mesh.influences.push_back({{0, 1.0}});
-  for (int y = 0; y < squares; ++y)
-    for (int x = 0; x < squares; ++x) {
-      const int v = y * (squares + 1) + x;
-      mesh.triangles.push_back({v, v + 1, v + squares + 2}), mesh.triangles.push_back({v, v + squares + 2, v + squares + 1});
-    }
-  return mesh;
-}
-
-void more_pairs_than_packs_take_at_once(Suite& t) {
-  t.example("more pairs than 16 bits count are left to doubles, and decided: of a flat sheet and one that is nearly flat", {},
-            [] {
-              const auto flat = bake(sheet(64, 0)), uneven = bake(sheet(64, 1e-7));
-              const ClusterTree first_tree(flat), second_tree(uneven);
-              ClusterBody a(first_tree, Skinning::spherical), b(second_tree, Skinning::spherical);
-              const Pose still = reference_pose(flat.mesh);
-              a.begin(still, {}), b.begin(still, {});
-              QueryCounts counts, unused;
-              const auto pairs = sorted(collide(a, b, Query::full, counts));
-              Body p(flat, compared_variant("spherical_repaired")), q(uneven, compared_variant("spherical_repaired"));
-              p.begin(still), q.begin(still);
-              const auto expected = sorted(collide({p}, {q}, Query::full, unused));
-              const auto most = static_cast<std::size_t>(counts.triangle_tests);
-              return Checked(pairs == expected && 3 * most > 65536 && 2 * pairs.size() < most, counts.triangle_tests,
-                             std::to_string(pairs.size()) + " of " + std::to_string(most) + " pairs touch");
-            });
-}
-
 void what_is_refused(Suite& t) {
   t.example("a body that has begun no frame is refused by name, and what a memory of other bodies remembers is passed over", {},
             [] {
@@ -795,7 +760,6 @@ PROPTEST(cluster_collide) {
   two_walking_men(t);
   bodies_that_are_skinned_whole(t);
   pairs_that_touch_and_pairs_that_are_remembered(t);
-  more_pairs_than_packs_take_at_once(t);
   what_is_refused(t);
 }
 
