@@ -308,9 +308,19 @@ Checked check_measured_radius() {
 
 Rational as_rational(double x) { return Rational(x); }
 
+// A case with rotations off unit length, as those read from floats are, or by all that is accepted; the images and dual
+// parts stay.
+gen::RefitCase with_stretched_rotations(gen::RefitCase c) {
+  for (gen::SetCase& set : c.sets)
+    for (auto& transform : set.palette.transforms)
+      transform.rotation = transform.rotation * *rc::gen::element(Rational(1), Rational(1 + 0x1p-22), Rational(1 - 0x1p-22),
+                                                                  Rational(1 + 0.4999e-6), Rational(1 - 0.4999e-6));
+  return c;
+}
+
 // Of the joint-sets of awkward cases in doubles, in exact numbers.
 void check_scales() {
-  const gen::RefitCase c = gen::rounded_to_double(*gen::refit_case(gen::Turns::any));
+  const gen::RefitCase c = with_stretched_rotations(gen::rounded_to_double(*gen::refit_case(gen::Turns::any)));
   RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
   const gen::NodeOf<double> storage(c);
   const SkinningPalette<double>& palette = storage.node().palette;
@@ -341,16 +351,6 @@ void check_scales() {
       RC_ASSERT(squared_norm(blend) * sq(shorter) >= least * longest);
     }
   }
-}
-
-// The same with rotations off unit length, as those read from floats are, or by all that is accepted; the images and dual
-// parts stay.
-gen::RefitCase with_stretched_rotations(gen::RefitCase c) {
-  for (gen::SetCase& set : c.sets)
-    for (auto& transform : set.palette.transforms)
-      transform.rotation = transform.rotation * *rc::gen::element(Rational(1), Rational(1 + 0x1p-22), Rational(1 - 0x1p-22),
-                                                                  Rational(1 + 0.4999e-6), Rational(1 - 0.4999e-6));
-  return c;
 }
 
 // Every sound variant of a kind of skinning, its ball taken as it stands.
