@@ -121,4 +121,5 @@ ImagesOfBlends<S> move_is_little(const BlendedDuals<S>& blend, const BlendedDual
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: algorithms/runtime/batch/float_palette.hpp, algorithms/runtime/skinning/palette_rounding.hpp.
+// Used by: algorithms/runtime/batch/float_palette.hpp, algorithms/runtime/skinning/palette_rounding.hpp,
+// experiments/drawings/control_hulls.cpp.

@@ -4,6 +4,7 @@
 #include "lemmas/b3_subdivision.hpp"
 #include "lemmas/b5_rotation_axis.hpp"
 #include "lemmas/b7_motion_bound.hpp"
+#include "lemmas/b8_blend_error.hpp"
 
 namespace refitlab::drawings {
 namespace {
@@ -92,6 +93,19 @@ void b7(Plane &p) {
   p.path("line", {flat(images[0]), flat(images[1])});
   p.path("curve", curve_of(dual_blend(joints, point)));
 }
+// All quaternions of the plane that are this far from 1.
+void b8(Plane &p) {
+  const Point3D x(1.2, 0.3, 0);
+  const double error = 0.25;
+  p.circle("ball", flat(x), turn_of_error(error, 1.) * norm<double, 3>(x));
+  std::vector<Point> images;
+  for (int i = 0; i <= 60; ++i) {
+    const double angle = i * std::acos(-1.) / 30;
+    images.push_back(flat(rotate_by<double>(Quat(1 + error * std::cos(angle), 0, 0, error * std::sin(angle)), x)));
+  }
+  p.path("curve", images);
+  p.dot("dot", {0, 0}, "axis"), p.dot("dot_in", flat(x), "R x");
+}
 
 }  // namespace
 
@@ -121,7 +135,11 @@ const std::vector<Drawing> &drawings_of_control_hulls() {
                                         {"b7_motion_bound", b7,
                                          "From the images of a point by two joints alone: the hull of these "
                                          "balls holds the way of the dual quaternion "
-                                         "blend."}};
+                                         "blend."},
+                                        {"b8_blend_error", b8,
+                                         "The images of a point by all quaternions in a plane that are off by a quarter "
+                                         "of their length, and the ball that "
+                                         "holds them."}};
   return all;
 }
 
