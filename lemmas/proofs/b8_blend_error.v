@@ -92,11 +92,6 @@ Proof.
     intros P Q. field. lra.
 Qed.
 
-Lemma norm_qmul (a b : quat R) : norm (qmul a b) = norm a * norm b.
-Proof.
-  apply norm_eq; [apply Rmult_le_pos; apply norm_nonneg|].
-  rewrite norm2_qmul, <- (norm_sq a), <- (norm_sq b). ring.
-Qed.
 Lemma norm_im_le (a : quat R) : norm (im a) <= norm a.
 Proof. apply norm_le. split; [apply norm_nonneg|]. rewrite norm_sq. apply norm2_im. Qed.
 

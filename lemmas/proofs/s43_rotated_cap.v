@@ -90,10 +90,6 @@ Proof.
 Qed.
 Lemma dot_qmul (s a : quat R) : dot a (qmul s a) = qw s * norm2 a.
 Proof. vring. Qed.
-Lemma norm_qmul (s a : quat R) : norm (qmul s a) = norm s * norm a.
-Proof.
-  apply norm_eq; [apply Rmult_le_pos; apply norm_nonneg|]. rewrite norm2_qmul, <- !norm_sq. ring.
-Qed.
 
 (* Any x of the rotated cap of an angle of at most pi/2 is reached: by s a with the shortest s, or half a turn. *)
 Lemma cap_is_filled (a : quat R) (t : R) (v x : vec R) : a <> lzero -> 0 <= t <= 1 ->

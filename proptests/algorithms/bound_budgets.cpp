@@ -17,6 +17,7 @@
 #include "proptests/oracles/cap_budget.hpp"
 #include "proptests/oracles/derived_budgets.hpp"
 #include "proptests/oracles/norm_budget.hpp"
+#include "proptests/oracles/rounded_scales.hpp"
 
 namespace proptests::suite_bound_budgets {
 namespace {
@@ -25,6 +26,7 @@ using namespace refitlab;
 using oracle::Budget;
 using oracle::DerivedBudgets;
 using oracle::of_length;
+using oracle::rounded_scales;
 using oracle::whole;
 constexpr double u = Budget::u;
 // In place of 0, with which sums would be exact.
@@ -340,12 +342,6 @@ ErrorsOfVertices errors_of_vertices() {
   return {1 + spherical(1, tiny), spherical(tiny, 1), linear(1, tiny), linear(tiny, 1), dual(1, tiny), dual(tiny, 1)};
 }
 
-// They are rounded up, which leaves room for terms of higher order.
-PaletteScales<double> scales_of(double joints, double kappa, double image, double translation) {
-  constexpr double up = 1 + 128 * u;  // measure_palette, in float
-  return {joints, image * up, translation * up, kappa * up, 0, 0};
-}
-
 // The rates of palette_rounding.hpp for a skinned vertex. What a blend's own error turns and moves, b8_blend_error says.
 Checked check_vertices() {
   DerivedBudgets budgets;
@@ -359,9 +355,9 @@ Checked check_vertices() {
         budgets.add(std::string(joints) + what, derived, rate / u_double);
       };
       const double of_rotation = oracle::error_of_blend<4>(n, 0), of_center = oracle::error_of_blend<3>(n, 0);
-      const auto of_spherical = rounding_spherical(scales_of(n, kappa, 1, 0)).vertex,
-                 of_linear = rounding_linear(scales_of(n, kappa, 0, 1)).vertex,
-                 of_dual = rounding_dual_quaternion(scales_of(n, kappa, 0, 1)).vertex;
+      const auto of_spherical = rounding_spherical(rounded_scales(n, kappa, 1, 0)).vertex,
+                 of_linear = rounding_linear(rounded_scales(n, kappa, 0, 1)).vertex,
+                 of_dual = rounding_dual_quaternion(rounded_scales(n, kappa, 0, 1)).vertex;
       add("spherical, per |x|", errors.spherical + turn_of_error(of_rotation, kappa), of_spherical.per_length);
       add("spherical, per center image", errors.of_center_image + of_center, of_spherical.offset);
       add("linear, per |p|", errors.linear + of_center, of_linear.per_length);
@@ -380,12 +376,11 @@ Checked check_constants_of_vertices() {
   const double u_double = 0x1p-53;
   const ErrorsOfVertices errors = errors_of_vertices();
   const auto add = [&](const char* what, double derived, double rate) {
-    budgets.add(what, derived, rate / u_double);
-    budgets.add(std::string(what) + ", not a unit more", std::max(tiny, rate / u_double - 1), derived);
+    budgets.add_up_to_a_unit(what, derived, rate / u_double);
   };
-  const auto of_spherical = rounding_spherical(scales_of(0, 1, 1, 0)).vertex,
-             of_linear = rounding_linear(scales_of(0, 1, 0, 1)).vertex,
-             of_dual = rounding_dual_quaternion(scales_of(0, 1, 0, 1)).vertex;
+  const auto of_spherical = rounding_spherical(rounded_scales(0, 1, 1, 0)).vertex,
+             of_linear = rounding_linear(rounded_scales(0, 1, 0, 1)).vertex,
+             of_dual = rounding_dual_quaternion(rounded_scales(0, 1, 0, 1)).vertex;
   add("spherical, per |x|", errors.spherical, of_spherical.per_length);
   add("spherical, per center image", errors.of_center_image, of_spherical.offset);
   add("linear, per |p|", errors.linear, of_linear.per_length);

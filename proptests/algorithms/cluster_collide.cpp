@@ -446,6 +446,12 @@ void what_is_counted(Suite& t) {
   });
 }
 
+bool has_only_clusters(const ClusterTree& tree, int wide_node) {
+  bool has = true;
+  for (int i = 0; i < tree.wide_nodes()[wide_node].child_count; ++i) has = has && tree.child(wide_node, i).cluster >= 0;
+  return has;
+}
+
 void when_clusters_are_rather_skinned(Suite& t) {
   t.example("a body that rather skins does so where a wide node below the root has only clusters, and bounds the others", {}, [] {
     const auto man = bake(make_man());
@@ -458,8 +464,7 @@ void when_clusters_are_rather_skinned(Suite& t) {
       ++frames;
       for (int f = 0; f < static_cast<int>(tree.wide_nodes().size()); ++f) {
         const int children = tree.wide_nodes()[f].child_count;
-        bool is_skinned = rather && f > 0;
-        for (int i = 0; i < children; ++i) is_skinned = is_skinned && tree.child(f, i).cluster >= 0;
+        const bool is_skinned = rather && f > 0 && has_only_clusters(tree, f);
         const long nodes = body.nodes_bounded(), clusters = body.clusters_skinned();
         body.wide_node_box(f);
         wrong += body.nodes_bounded() - nodes != (is_skinned ? 0 : children);
@@ -473,13 +478,8 @@ void when_clusters_are_rather_skinned(Suite& t) {
   t.example("a body of which a query has skinned several clusters in float rather skins from then on, in that frame", {}, [] {
     const auto man = bake(make_man());
     const ClusterTree tree(man);
-    const auto has_only_clusters = [&](int f) {
-      bool has = true;
-      for (int i = 0; i < tree.wide_nodes()[f].child_count; ++i) has = has && tree.child(f, i).cluster >= 0;
-      return has;
-    };
     int leaf = static_cast<int>(tree.wide_nodes().size()) - 1;
-    while (!has_only_clusters(leaf)) --leaf;
+    while (!has_only_clusters(tree, leaf)) --leaf;
     constexpr int several = ClusterBody::least_clusters_of_contact;
     long wrong = 0, frames = 0;
     for (const Skinning skinning : {Skinning::spherical, Skinning::linear}) {

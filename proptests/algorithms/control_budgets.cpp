@@ -8,6 +8,7 @@
 #include "proptests/oracles/cap_budget.hpp"
 #include "proptests/oracles/derived_budgets.hpp"
 #include "proptests/oracles/norm_budget.hpp"
+#include "proptests/oracles/rounded_scales.hpp"
 
 namespace proptests::suite_control_budgets {
 namespace {
@@ -17,6 +18,7 @@ using oracle::Budget;
 using oracle::DerivedBudgets;
 using oracle::error_of_blend;
 using oracle::of_length;
+using oracle::rounded_scales;
 using oracle::whole;
 constexpr double u = Budget::u, u_double = 0x1p-53;
 constexpr double tiny = 1e-30;  // in place of 0, with which sums would be exact
@@ -30,12 +32,6 @@ RoundingRates<S> of_control_balls(const PaletteRounding<S>& r) {
   const RoundingRates<S>&whole = r.weight_vertices, &vertex = r.vertex;
   return {whole.per_length - vertex.per_length, whole.per_radius - vertex.per_radius, whole.offset - vertex.offset};
 }
-// Scales are rounded up, which leaves room for terms of higher order.
-PaletteScales<double> scales(int joints, double kappa, double image, double translation, double matrix = 0) {
-  constexpr double up = 1 + 128 * u;  // measure_palette, in float
-  return {double(joints), image * up, translation * up, kappa * up, 0, matrix * up};
-}
-
 // The error of a weight vertex in units of u, of its quaternion or its center image: of a blend, and of middles of middles.
 template <int D>
 double error_of_weight_vertex(int joints) {
@@ -96,14 +92,14 @@ Checked check_control_balls() {
         budgets.add(std::string(name) + what, derived, rate / u_double);
       };
       const double of_quaternion = error_of_weight_vertex<4>(n), of_center = error_of_weight_vertex<3>(n);
-      const auto rates = of_control_balls(rounding_spherical(scales(n, kappa, 1, 0)));
+      const auto rates = of_control_balls(rounding_spherical(rounded_scales(n, kappa, 1, 0)));
       add("spherical, per |x|", spherical + turn_of_error(of_quaternion, kappa), rates.per_length);
       add("spherical, per center image", centers + of_center, rates.offset);
       // A cap's ball is moved by the center images.
       add("cap, per |x|", oracle::error_of_cap(of_quaternion * kappa + oracle::error_of_unit(), x * u) + 1, rates.per_length);
       add("cap, per center image", of_center + 1, rates.offset);
       // Weight vertices of length 1 / kappa move by kappa |t|, and have duals of half of |t|.
-      const auto of_dual = of_control_balls(rounding_dual_quaternion(scales(n, kappa, 0, 1)));
+      const auto of_dual = of_control_balls(rounding_dual_quaternion(rounded_scales(n, kappa, 0, 1)));
       add("dual quaternions, per |p|", dual + turn_of_error(of_quaternion, kappa), of_dual.per_length);
       const double moved = move_of_error<double>({of_quaternion, of_quaternion / 2, 0.5, kappa});
       add("dual quaternions, per |t|", translations * kappa + moved, of_dual.offset);
@@ -115,11 +111,10 @@ Checked check_control_balls() {
 Checked check_constants() {
   DerivedBudgets budgets;
   const auto add = [&](const char* what, double derived, double rate) {
-    budgets.add(what, derived, rate / u_double);
-    budgets.add(std::string(what) + ", not a unit more", rate / u_double - 1, derived);
+    budgets.add_up_to_a_unit(what, derived, rate / u_double);
   };
-  const auto spherical = of_control_balls(rounding_spherical(scales(0, 0, 1, 0)));
-  const auto dual = of_control_balls(rounding_dual_quaternion(scales(0, 1, 0, 1)));
+  const auto spherical = of_control_balls(rounding_spherical(rounded_scales(0, 0, 1, 0)));
+  const auto dual = of_control_balls(rounding_dual_quaternion(rounded_scales(0, 1, 0, 1)));
   add("spherical, per |x|", error_of_spherical_points(1, tiny) + 1, spherical.per_length);
   add("spherical, per center image", error_of_spherical_points(tiny, 1) + most_halvings, spherical.offset);
   add("dual quaternions, per |p|", error_of_dual_points(1, tiny) + 2 * most_halvings, dual.per_length);
@@ -196,13 +191,13 @@ Checked check_linear() {
   // The factor of a joint is rounded up, and so by more than a blend of factors may lose.
   const double raised = (stretch_of(identity_map<double>()) - 1) / u_double - own;
   const Budget of_factor = root(sq(Budget(1, 0, 1 - 1e-9))) * radius;
-  budgets.add("per F r, with one more", rounding_affine(scales(0, 1, 0, 0, 1)).weight_vertices.per_radius / u_double - 1,
+  budgets.add("per F r, with one more", rounding_affine(rounded_scales(0, 1, 0, 0, 1)).weight_vertices.per_radius / u_double - 1,
               stretched.in_u());
   for (const int n : numbers_of_joints) {
     const std::string joints = std::to_string(n) + " joints, ";
-    const auto rounding = rounding_affine(scales(n, 1, 0, 1, 1));
-    const auto more = of_control_balls(rounding), linear = of_control_balls(rounding_linear(scales(n, 1, 0, 1)));
-    const auto of_linear = rounding_linear(scales(n, 1, 0, 1)).vertex;
+    const auto rounding = rounding_affine(rounded_scales(n, 1, 0, 1, 1));
+    const auto more = of_control_balls(rounding), linear = of_control_balls(rounding_linear(rounded_scales(n, 1, 0, 1)));
+    const auto of_linear = rounding_linear(rounded_scales(n, 1, 0, 1)).vertex;
     // The matrix that is blended is off by a blend's error, and stretches by so much more.
     const double of_blend = error_of_blend<3>(n, 0);
     budgets.add(joints + "per F |p|", error_of_blend<3>(n, of_point * u), rounding.vertex.per_length / u_double);
@@ -211,7 +206,7 @@ Checked check_linear() {
     // However many joints there are.
     const double of_factors = greatest * (16 * of_blend + of_factor.in_u() - raised);
     budgets.add(joints + "times 16, per F r, of blended factors", std::max(1., of_factors),
-                rounding_affine(scales(16 * n, 1, 0, 0, 1)).weight_vertices.per_radius / u_double);
+                rounding_affine(rounded_scales(16 * n, 1, 0, 0, 1)).weight_vertices.per_radius / u_double);
     // The centers of control balls are computed as vertices are.
     budgets.add(joints + "control balls, per F |p|", rounding.vertex.per_length / u_double, more.per_length / u_double);
     budgets.add(joints + "control balls, per |t|", rounding.vertex.offset / u_double, more.offset / u_double);

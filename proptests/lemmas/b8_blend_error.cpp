@@ -164,7 +164,6 @@ void hypotheses_need_each_part(Suite& t) {
     while (squared_norm(c.x) == 0) c.x[1] = *gen::rational();
     const Rational amount = *gen::excess(), rest = Rational(1) / (Rational(1) + amount);
     std::string part;
-    std::optional<Verdict> none;
     bool is_asked = true;
     switch (gen::any_place(5)) {
       case 0: part = "e is less than the distance", c.error.rotation *= rest; break;
@@ -174,7 +173,8 @@ void hypotheses_need_each_part(Suite& t) {
       default: part = "q' is 0", c.other = zero, c.error.rotation = Rational(1) / c.error.inverse_length, is_asked = false; break;
     }
     const Verdict hypothesis = turn_hypotheses(c.q, c.other, c.error);
-    return Weakening{part, hypothesis, is_asked ? std::optional(turn_is_little(c.q, c.other, c.x, c.error).verdict) : none};
+    return Weakening{part, hypothesis,
+                     is_asked ? std::optional(turn_is_little(c.q, c.other, c.x, c.error).verdict) : std::nullopt};
   });
   needs_each_part(t, "the bound of translations needs each part of its hypotheses", 0.2, [] {
     // About one axis: lengths are those of numbers. The dual is a translation along it.

@@ -2,6 +2,7 @@
 // Derived and allowed budgets of rounding, by name. No allowance may be less than what was derived.
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -18,6 +19,11 @@ class DerivedBudgets {
     ++count_;
     if (!(derived > 0 && derived <= allowed)) too_little_ += text;
     if (derived / allowed > greatest_share_) greatest_share_ = derived / allowed, tightest_ = text;
+  }
+  // The same of a constant, which may be no unit more than was derived.
+  void add_up_to_a_unit(const std::string& name, double derived, double allowed) {
+    add(name, derived, allowed);
+    add(name + ", not a unit more", std::max(1e-30, allowed - 1), derived);
   }
   // Names what is too little, and the tightest.
   Checked checked() const {

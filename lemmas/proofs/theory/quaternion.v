@@ -14,6 +14,11 @@ Lemma norm2_pure (v : vec R) : norm2 (pure v) = norm2 v.
 Proof. vring. Qed.
 Lemma norm2_qmul (a b : quat R) : norm2 (qmul a b) = norm2 a * norm2 b.
 Proof. vring. Qed.
+Lemma norm_qmul (a b : quat R) : norm (qmul a b) = norm a * norm b.
+Proof.
+  apply norm_eq; [apply Rmult_le_pos; apply norm_nonneg|].
+  rewrite norm2_qmul, <- (norm_sq a), <- (norm_sq b). ring.
+Qed.
 Lemma norm2_conj (a : quat R) : norm2 (conj a) = norm2 a.
 Proof. vring. Qed.
 Lemma norm2_im (a : quat R) : norm2 (im a) <= norm2 a.
