@@ -310,12 +310,6 @@ Qed.
 
 Lemma norm_of_three {E} `{Euclid E} (x y z : E) : norm (x + y + z) <= norm x + norm y + norm z.
 Proof. pose proof (norm_add (x + y)%V z). pose proof (norm_add x y). lra. Qed.
-Lemma norm_scale_abs {E} `{Euclid E} a (x : E) : norm (a *: x) = Rabs a * norm x.
-Proof.
-  apply norm_eq; [apply Rmult_le_pos; [apply Rabs_pos|apply norm_nonneg]|]. rewrite norm2_scale, <- norm_sq.
-  replace (Rabs a * norm x * (Rabs a * norm x)) with (Rabs (a * a) * (norm x * norm x)) by (rewrite Rabs_mult; ring).
-  rewrite Rabs_pos_eq by apply Rle_0_sqr. ring.
-Qed.
 Lemma dot_abs {E} `{Euclid E} (x y : E) : Rabs (dot x y) <= norm x * norm y.
 Proof. apply Rabs_le. split; [apply dot_ge_norms|apply dot_le_norms]. Qed.
 

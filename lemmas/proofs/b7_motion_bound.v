@@ -221,17 +221,7 @@ Proof.
 Qed.
 End Identity.
 
-(* D B = Im((sum u_k x_k q_k) q* ) for units, since x_k q_k = q_k f + 2 d_k. *)
-Lemma unit_moves (t : rigid) (f : vec R) : norm2 (rotation t) = 1 ->
-  (qmul (rotation t) (pure f) + 2 *: dual_of t)%V = qmul (pure (apply_rigid t f)) (rotation t).
-Proof.
-  intros U. unfold apply_rigid, rotate, dual_of. rewrite U, Rinv_1. destruct t as [q x]. cbn [rotation translation] in *.
-  assert (G : qmul (pure (turned q f q)) q = (norm2 q *: qmul q (pure f))%V) by vring.
-  replace (qmul (pure (1 *: turned q f q + x)%V) q) with (qmul (pure (turned q f q)) q + qmul (pure x) q)%V
-    by (generalize (turned q f q); vring).
-  rewrite G, U. generalize (qmul q (pure f)) (qmul (pure x) q). vfield.
-Qed.
-
+(* D B = Im((sum u_k x_k q_k) q* ) for units, since x_k q_k = q_k f + 2 d_k (unit_moves). *)
 Lemma scaled_dual_blend cs u f : length u = length cs -> Forall (fun t => norm2 (rotation t) = 1) cs ->
   let q := comb u (map rotation cs) in q <> lzero ->
   (norm2 q *: dual_blend cs u f)%V =

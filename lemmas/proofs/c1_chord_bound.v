@@ -1,12 +1,8 @@
 (* SPDX-License-Identifier: MIT *)
-(* A curve with a bounded second derivative against its chord, in any real inner product space. A curve is differentiable where
-   each of its dot products with a vector is. *)
+(* A curve with a bounded second derivative against its chord, in any real inner product space. *)
 From Coq Require Import Reals Lra Psatz.
-Require Import Refitlab.theory.linear Refitlab.theory.euclid.
+Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.curve.
 
-(* f' is the derivative of f throughout [a, b]. *)
-Definition derivative {E} `{Euclid E} (f f' : R -> E) (a b : R) :=
-  forall e t, a <= t <= b -> derivable_pt_lim (fun x => dot (f x) e) t (dot (f' t) e).
 Definition within {E} `{Euclid E} (f : R -> E) (m a b : R) := forall t, a <= t <= b -> norm (f t) <= m.
 
 (* The chord at the share s. *)

@@ -1,12 +1,36 @@
 (* SPDX-License-Identifier: MIT *)
-(* The rule of Leibniz for bounds: of a product whose length is at most that of its factors. Quaternions are an instance. *)
-From Coq Require Import Reals Lra Psatz.
-Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.quaternion.
+(* How fast a point goes below a chain of joints, and how much it bends: the rule of Leibniz for bounds, of a product whose length
+   is at most that of its factors, link by link. *)
+From Coq Require Import List Reals Lra Psatz.
+Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.quaternion Refitlab.theory.curve.
+Import ListNotations.
 
-(* x, x', x'' are no longer than s, s', s''. *)
-Definition moves_within {E} `{Euclid E} (x x' x'' : E) (s s' s'' : R) := norm x <= s /\ norm x' <= s' /\ norm x'' <= s''.
 Definition short_product {X Y Z} `{Euclid X} `{Euclid Y} `{Euclid Z} (B : X -> Y -> Z) :=
   forall x y, norm (B x y) <= norm x * norm y.
+
+(* A link carries y to t + q (s y) q*, which turns by the quaternion q where its length is 1: three curves, and their bounds. A scale
+   is measured by its greatest factor. *)
+Record link := Link { turn : R -> quat R; translation : R -> vec R; scale : R -> vec R }.
+Record link_motion := LinkMotion { of_turn : motion; of_translation : motion; of_scale : motion }.
+Definition posed (k : link) (y : vec R) (t : R) := (translation k t + turned (turn k t) (scaled (scale k t) y) (turn k t))%V.
+Definition scale_moves (s : R -> vec R) (m : motion) (a b : R) := exists s' s'', derivative s s' a b /\ derivative s' s'' a b /\
+  forall t, a <= t <= b ->
+    factors_within (s t) (size m) /\ factors_within (s' t) (speed m) /\ factors_within (s'' t) (acceleration m).
+Definition link_moves (a b : R) (k : link) (m : link_motion) :=
+  moves (turn k) (of_turn m) a b /\ moves (translation k) (of_translation m) a b /\ scale_moves (scale k) (of_scale m) a b.
+
+(* The bounds of a chain's linear part, offset and rotation, the first link first; and a point that moves below it. *)
+Record chain_motion := ChainMotion { linear_part : motion; offset : motion; of_rotation : motion }.
+Definition no_links := ChainMotion (at_rest 1) (at_rest 0) (at_rest 1).
+Definition chain_of (m : link_motion) := ChainMotion
+  (product_of_motions (product_of_motions (of_turn m) (of_turn m)) (of_scale m)) (of_translation m) (of_turn m).
+Definition compose (outer inner : chain_motion) := ChainMotion (product_of_motions (linear_part outer) (linear_part inner))
+  (sum_of_motions (product_of_motions (linear_part outer) (offset inner)) (offset outer))
+  (product_of_motions (of_rotation outer) (of_rotation inner)).
+Definition chain (motions : list link_motion) := fold_left (fun c m => compose c (chain_of m)) motions no_links.
+Definition carried_motion (c : chain_motion) (point : motion) := sum_of_motions (product_of_motions (linear_part c) point) (offset c).
+Definition image (links : list link) (x : R -> vec R) (t : R) := fold_right (fun k y => posed k y t) (x t) links.
+Definition turn_of_chain (links : list link) (t : R) := fold_right (fun k q => qmul (turn k t) q) (Quat 1 0 0 0) links.
 
 (* --- Statements --- *)
 
@@ -16,11 +40,19 @@ Definition product_moves : Prop := forall X Y Z (lx : Lin R X) (ly : Lin R Y) (l
   short_product B -> moves_within x x' x'' s s' s'' -> moves_within y y' y'' t t' t'' ->
   moves_within (B x y) (B x' y + B x y')%V (B x'' y + 2 *: B x' y' + B x y'')%V
     (s * t) (s' * t + s * t') (s'' * t + 2 * s' * t' + s * t'').
+(* So the product of two curves moves within the product. *)
+Definition curves_multiply : Prop := forall X Y Z (lx : Lin R X) (ly : Lin R Y) (lz : Lin R Z) (ex : Euclid X) (ey : Euclid Y)
+  (ez : Euclid Z) (B : X -> Y -> Z) (f : R -> X) (g : R -> Y) (m n : motion) (a b : R),
+  is_product B -> short_product B -> moves f m a b -> moves g n a b ->
+  moves (fun t => B (f t) (g t)) (product_of_motions m n) a b.
 Definition quaternions_are_short : Prop := short_product (fun a b : quat R => qmul a b).
 (* A sum moves within the sum. *)
-Definition sum_moves : Prop := forall X (lx : Lin R X) (ex : Euclid X) (x x' x'' y y' y'' : X) (s s' s'' t t' t'' : R),
-  moves_within x x' x'' s s' s'' -> moves_within y y' y'' t t' t'' ->
-  moves_within (x + y)%V (x' + y')%V (x'' + y'')%V (s + t) (s' + t') (s'' + t'').
+Definition curves_add : Prop := forall X (lx : Lin R X) (ex : Euclid X) (f g : R -> X) (m n : motion) (a b : R),
+  moves f m a b -> moves g n a b -> moves (fun t => f t + g t)%V (sum_of_motions m n) a b.
+(* A point below a chain of joints, and what the chain turns by. *)
+Definition chain_moves : Prop := forall links motions (x : R -> vec R) (point : motion) (a b : R),
+  Forall2 (link_moves a b) links motions -> moves x point a b ->
+  moves (image links x) (carried_motion (chain motions) point) a b /\ moves (turn_of_chain links) (of_rotation (chain motions)) a b.
 
 (* --- Proofs --- *)
 
@@ -41,19 +73,136 @@ Proof.
     pose proof (P x' y' s' t' S1 T1). lra.
 Qed.
 
-Theorem quaternions_are_short_holds : quaternions_are_short.
+Theorem curves_multiply_holds : curves_multiply.
 Proof.
-  intros a b. apply Req_le. apply norm_eq; [apply Rmult_le_pos; apply norm_nonneg|].
-  replace (norm a * norm b * (norm a * norm b)) with (norm a * norm a * (norm b * norm b)) by ring.
-  rewrite (norm_sq a), (norm_sq b). clear. vring.
+  intros X Y Z lx ly lz ex ey ez B f g m n a b P Sh (f' & f'' & F & F' & M) (g' & g'' & G & G' & N).
+  exists (fun t => B (f' t) (g t) + B (f t) (g' t))%V, (fun t => B (f'' t) (g t) + 2 *: B (f' t) (g' t) + B (f t) (g'' t))%V.
+  split; [now apply derivative_product|]. split; [now apply second_derivative_of_product|].
+  intros t T. exact (product_moves_holds _ _ _ _ _ _ _ _ _ B _ _ _ _ _ _ _ _ _ _ _ _ Sh (M t T) (N t T)).
 Qed.
 
-Theorem sum_moves_holds : sum_moves.
+Theorem quaternions_are_short_holds : quaternions_are_short.
+Proof. intros a b. apply Req_le, norm_qmul. Qed.
+
+Theorem curves_add_holds : curves_add.
 Proof.
-  intros X lx ex x x' x'' y y' y'' s s' s'' t t' t'' (S0 & S1 & S2) (T0 & T1 & T2).
+  intros X lx ex f g m n a b (f' & f'' & F & F' & M) (g' & g'' & G & G' & N).
+  exists (fun t => f' t + g' t)%V, (fun t => f'' t + g'' t)%V.
+  split; [now apply derivative_sum|]. split; [now apply derivative_sum|]. intros t T.
+  destruct (M t T) as (M0 & M1 & M2). destruct (N t T) as (N0 & N1 & N2). cbn [size speed acceleration sum_of_motions].
   split; [|split]; (eapply Rle_trans; [apply norm_add|]); lra.
 Qed.
 
-(* The hypotheses can be met: a quaternion that turns at the speed 1. *)
-Example motion_instance : moves_within (Quat 1 0 0 0) (Quat 0 0 0 1) (Quat (-1) 0 0 0) 1 1 1.
-Proof. split; [|split]; apply Req_le, norm_eq; vunfold; lra. Qed.
+(* A linear map that makes nothing longer. *)
+Lemma curve_mapped {X Y} `{Euclid X} `{Euclid Y} (L : X -> Y) (f : R -> X) m a b : has_adjoint L -> (forall x, norm (L x) <= norm x) ->
+  moves f m a b -> moves (fun t => L (f t)) m a b.
+Proof.
+  intros A Sh (f' & f'' & F & F' & M). exists (fun t => L (f' t)), (fun t => L (f'' t)).
+  split; [now apply derivative_map|]. split; [now apply derivative_map|]. intros t T. destruct (M t T) as (M0 & M1 & M2).
+  split; [|split]; (eapply Rle_trans; [apply Sh|]); assumption.
+Qed.
+Lemma moves_same {X} `{Euclid X} (f g : R -> X) (m n : motion) a b : (forall t, f t = g t) -> m = n -> moves f m a b -> moves g n a b.
+Proof.
+  intros S <- (f' & f'' & F & F' & M). exists f', f''. split; [now apply (derivative_same f g f' f')|]. split; [exact F'|].
+  intros t T. rewrite <- S. now apply M.
+Qed.
+Lemma constant_moves {X} `{Euclid X} (x : X) s a b : norm x <= s -> moves (fun _ => x) (at_rest s) a b.
+Proof.
+  intros N. exists (fun _ => lzero), (fun _ => lzero). split; [apply derivative_constant|]. split; [apply derivative_constant|].
+  intros t _. cbn [size speed acceleration at_rest]. repeat split; rewrite ?norm_zero; lra.
+Qed.
+
+(* --- A link --- *)
+
+Lemma conj_norm (q : quat R) : norm (conj q) <= norm q.
+Proof. unfold norm. rewrite norm2_conj. lra. Qed.
+Lemma pure_norm (x : vec R) : norm (pure x) <= norm x.
+Proof. unfold norm. rewrite norm2_pure. lra. Qed.
+Lemma im_norm (q : quat R) : norm (im q) <= norm q.
+Proof. apply sqrt_le_1_alt, norm2_im. Qed.
+(* Im(a x b-conjugate). *)
+Lemma turned_moves (p q : R -> quat R) (x : R -> vec R) (l m n : motion) a b : moves p l a b -> moves q n a b -> moves x m a b ->
+  moves (fun t => turned (p t) (x t) (q t)) (product_of_motions (product_of_motions l m) n) a b.
+Proof.
+  intros P Q X. unfold turned. apply (curve_mapped (fun q : quat R => im q) (fun t => qmul (qmul (p t) (pure (x t))) (conj (q t))));
+    [exact im_has_adjoint|exact im_norm|].
+  apply (curves_multiply_holds _ _ _ _ _ _ _ _ _ _ (fun t => qmul (p t) (pure (x t))) (fun t => conj (q t)) _ _ a b
+    qmul_is_product quaternions_are_short_holds).
+  - apply (curves_multiply_holds _ _ _ _ _ _ _ _ _ _ p (fun t => pure (x t)) _ _ a b
+      qmul_is_product quaternions_are_short_holds P).
+    apply (curve_mapped (fun x : vec R => pure x) x); [exact pure_has_adjoint|exact pure_norm|exact X].
+  - apply (curve_mapped (fun q : quat R => conj q) q); [exact conj_has_adjoint|exact conj_norm|exact Q].
+Qed.
+Lemma scaled_moves (s x : R -> vec R) (m n : motion) a b : scale_moves s m a b -> moves x n a b ->
+  moves (fun t => scaled (s t) (x t)) (product_of_motions m n) a b.
+Proof.
+  intros (s' & s'' & S & S' & M) (x' & x'' & X & X' & N).
+  exists (fun t => scaled (s' t) (x t) + scaled (s t) (x' t))%V,
+    (fun t => scaled (s'' t) (x t) + 2 *: scaled (s' t) (x' t) + scaled (s t) (x'' t))%V.
+  split; [exact (derivative_product scaled _ _ _ _ a b scaled_is_product S X)|].
+  split; [exact (second_derivative_of_product scaled _ _ _ _ _ _ a b scaled_is_product S S' X X')|].
+  intros t T. destruct (M t T) as (M0 & M1 & M2). destruct (N t T) as (N0 & N1 & N2). cbn [size speed acceleration product_of_motions].
+  assert (P : forall s x f n, factors_within s f -> norm x <= n -> norm (scaled s x) <= f * n).
+  { intros u x0 f n0 U X0. eapply Rle_trans; [apply (scaled_norm _ _ f U)|].
+    apply Rmult_le_compat_l; [now apply factor_nonneg with u|exact X0]. }
+  split; [|split].
+  - now apply P.
+  - eapply Rle_trans; [apply norm_add|]. apply Rplus_le_compat; now apply P.
+  - eapply Rle_trans; [apply norm_add|]. apply Rplus_le_compat; [|now apply P].
+    eapply Rle_trans; [apply norm_add|]. apply Rplus_le_compat; [now apply P|]. rewrite norm_scale by lra.
+    pose proof (P (s' t) (x' t) _ _ M1 N1). lra.
+Qed.
+
+(* --- Chains --- *)
+
+Lemma motion_eq (m n : motion) : size m = size n -> speed m = speed n -> acceleration m = acceleration n -> m = n.
+Proof. destruct m, n. cbn. now intros -> -> ->. Qed.
+Ltac motions := intros; repeat match goal with m : motion |- _ => destruct m end; apply motion_eq;
+  cbv [size speed acceleration sum_of_motions product_of_motions at_rest]; ring.
+Lemma chain_eq (c d : chain_motion) : linear_part c = linear_part d -> offset c = offset d -> of_rotation c = of_rotation d -> c = d.
+Proof. destruct c, d. cbn. now intros -> -> ->. Qed.
+Lemma compose_associative c d e : compose c (compose d e) = compose (compose c d) e.
+Proof.
+  destruct c as [c0 c1 c2], d as [d0 d1 d2], e as [e0 e1 e2]. apply chain_eq; cbn [compose linear_part offset of_rotation]; motions.
+Qed.
+Lemma compose_none_l c : compose no_links c = c.
+Proof. destruct c. apply chain_eq; cbn [compose no_links linear_part offset of_rotation]; motions. Qed.
+Lemma compose_none_r c : compose c no_links = c.
+Proof. destruct c. apply chain_eq; cbn [compose no_links linear_part offset of_rotation]; motions. Qed.
+Lemma chain_cons m motions : chain (m :: motions) = compose (chain_of m) (chain motions).
+Proof.
+  unfold chain. cbn [fold_left]. rewrite compose_none_l.
+  assert (G : forall ms c d, fold_left (fun c m => compose c (chain_of m)) ms (compose c d) =
+    compose c (fold_left (fun c m => compose c (chain_of m)) ms d)).
+  { induction ms as [|n ms IH]; intros c d; [reflexivity|]. cbn [fold_left]. rewrite <- IH. f_equal.
+    symmetry. apply compose_associative. }
+  rewrite <- G. now rewrite compose_none_r.
+Qed.
+
+Theorem chain_moves_holds : chain_moves.
+Proof.
+  intros links motions x point a b F X. induction F as [|k m links motions (Q & T & S) F [IH IHq]].
+  - split.
+    + apply (moves_same x _ point); [reflexivity| |exact X]. unfold chain, carried_motion.
+      cbn [fold_left no_links linear_part offset]. motions.
+    + apply (constant_moves (Quat 1 0 0 0) 1). apply Req_le, norm_unit. vunfold. ring.
+  - rewrite chain_cons. split.
+    + pose proof (scaled_moves _ _ _ _ a b S IH) as Y. pose proof (turned_moves _ _ _ _ _ _ a b Q Q Y) as Z.
+      pose proof (curves_add_holds _ _ _ _ _ _ _ a b T Z) as W. eapply moves_same; [| |exact W]; [reflexivity|].
+      destruct (chain motions), m. unfold carried_motion.
+      cbn [compose chain_of linear_part offset of_turn of_translation of_scale]. motions.
+    + exact (curves_multiply_holds _ _ _ _ _ _ _ _ _ _ _ _ _ _ a b qmul_is_product quaternions_are_short_holds Q IHq).
+Qed.
+
+(* The hypotheses can be met: a link that is at rest, twice as long, and a point in it. *)
+Example chain_instance : let k := Link (fun _ => Quat 1 0 0 0) (fun _ => Vec 1 0 0) (fun _ => Vec 2 2 2) in
+  Forall2 (link_moves 0 1) [k] [LinkMotion (at_rest 1) (at_rest 1) (at_rest 2)] /\ moves (fun _ => Vec 1 0 0) (at_rest 1) 0 1.
+Proof.
+  assert (N : norm (Vec 1 0 0) <= 1) by (apply norm_le; vunfold; lra).
+  split; [|now apply constant_moves]. apply Forall2_cons; [|constructor].
+  split; [|split]; cbn [of_turn of_translation of_scale turn translation scale].
+  - apply constant_moves, norm_le. vunfold. lra.
+  - now apply constant_moves.
+  - exists (fun _ => lzero), (fun _ => lzero). split; [apply derivative_constant|]. split; [apply derivative_constant|].
+    intros t _. unfold factors_within. vunfold. cbn [size speed acceleration at_rest]. rewrite Rabs_R0, Rabs_pos_eq; lra.
+Qed.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: MIT *)
 (* Bounds that hold throughout an interval, and throughout a box of parameters, from convex sets that hold the ends. *)
 From Coq Require Import List Reals Lra Psatz.
-Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.c1_chord_bound.
+Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.curve Refitlab.c1_chord_bound.
 Import ListNotations.
 
 (* x is in K blown up by e. *)

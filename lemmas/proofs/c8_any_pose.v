@@ -1,64 +1,98 @@
 (* SPDX-License-Identifier: MIT *)
 (* Where a point below a chain of joints can be in any pose, from lengths and scales alone. *)
 From Coq Require Import List Reals Lra Psatz.
-Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.quaternion.
+Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
 Import ListNotations.
 
 (* y -> t + R (s y), and how long t is and how much s stretches at most. *)
 Record link := Link { turn : quat R; translation : vec R; scale : vec R }.
 Record range := Range { length_ : R; stretch : R }.
-Definition scaled (s y : vec R) := Vec (vx s * vx y) (vy s * vy y) (vz s * vz y).
 Definition posed (k : link) (y : vec R) := (translation k + rotate (turn k) (scaled (scale k) y))%V.
 Definition is_in_range (k : link) (r : range) := turn k <> lzero /\ norm (translation k) <= length_ r /\
-  Rabs (vx (scale k)) <= stretch r /\ Rabs (vy (scale k)) <= stretch r /\ Rabs (vz (scale k)) <= stretch r.
+  factors_within (scale k) (stretch r).
 
 (* The first link first. *)
 Definition image (links : list link) (x : vec R) := fold_right posed x links.
 Definition reach (ranges : list range) (d : R) := fold_right (fun r d => stretch r * d + length_ r) d ranges.
 
-(* --- Statement --- *)
+(* --- Statements --- *)
 
 Definition stays_in_reach : Prop := forall links ranges x d,
   Forall2 is_in_range links ranges -> norm x <= d -> norm (image links x) <= reach ranges d.
 
-(* --- Proof --- *)
+(* (i): two chains with the first links in common. *)
+Definition stays_near : Prop := forall common rs links ranges others other_ranges x y d e,
+  Forall2 is_in_range common rs -> Forall2 is_in_range links ranges -> Forall2 is_in_range others other_ranges ->
+  norm x <= d -> norm y <= e ->
+  norm (image (common ++ links) x - image (common ++ others) y) <=
+    fold_right (fun r apart => stretch r * apart) (reach ranges d + reach other_ranges e) rs.
+(* (ii): by linear blending, and spherically about a fixed center, whose images are these. *)
+Definition blend_stays_in_reach : Prop := forall w (images : list (vec R)) r, convex (length images) w ->
+  Forall (fun x => norm x <= r) images -> norm (comb w images) <= r.
+Definition turned_stays_in_reach : Prop := forall qs images center w v r, comb w qs <> lzero -> convex (length images) w ->
+  Forall (fun x => norm x <= r) images -> norm (skin_spherical qs images center w v) <= norm (v - center) + r.
 
-Lemma square_of_factor (a f x : R) : Rabs a <= f -> a * x * (a * x) <= f * f * (x * x).
-Proof.
-  intros A. assert (B : a * a <= f * f).
-  { pose proof (Rabs_pos a). assert (Rabs a * Rabs a <= f * f) by nra. rewrite <- Rabs_mult in *.
-    pose proof (Rle_abs (a * a)). lra. }
-  pose proof (Rle_0_sqr x) as X. unfold Rsqr in X. nra.
-Qed.
-Lemma scaled_norm (s y : vec R) (f : R) : Rabs (vx s) <= f -> Rabs (vy s) <= f -> Rabs (vz s) <= f ->
-  norm (scaled s y) <= f * norm y.
-Proof.
-  intros X Y Z. assert (F : 0 <= f) by (pose proof (Rabs_pos (vx s)); lra). apply norm_le.
-  split; [apply Rmult_le_pos; [exact F|apply norm_nonneg]|].
-  assert (Q : f * norm y * (f * norm y) = f * f * norm2 y) by (rewrite <- (norm_sq y); ring). rewrite Q. clear Q.
-  pose proof (square_of_factor _ f (vx y) X). pose proof (square_of_factor _ f (vy y) Y). pose proof (square_of_factor _ f (vz y) Z).
-  destruct s, y. unfold scaled. vunfold. lra.
-Qed.
+(* --- Proofs --- *)
 
 Theorem stays_in_reach_holds : stays_in_reach.
 Proof.
-  intros links ranges x d F X. induction F as [|k r links ranges (N & T & A & B & C) F IH]; [exact X|].
+  intros links ranges x d F X. induction F as [|k r links ranges (N & T & S) F IH]; [exact X|].
   cbn [image reach fold_right]. fold (image links x) (reach ranges d). unfold posed.
   pose proof (norm_add (translation k) (rotate (turn k) (scaled (scale k) (image links x)))) as P.
-  rewrite rotate_norm in P by exact N. pose proof (scaled_norm (scale k) (image links x) (stretch r) A B C) as Q.
-  assert (S : 0 <= stretch r) by (pose proof (Rabs_pos (vx (scale k))); lra).
+  rewrite rotate_norm in P by exact N. pose proof (scaled_norm (scale k) (image links x) (stretch r) S) as Q.
+  pose proof (factor_nonneg _ _ S).
   assert (stretch r * norm (image links x) <= stretch r * reach ranges d) by (apply Rmult_le_compat_l; auto). lra.
+Qed.
+
+Lemma image_app (a b : list link) x : image (a ++ b) x = image a (image b x).
+Proof. unfold image. apply fold_right_app. Qed.
+Lemma common_links_stretch common rs (x y : vec R) apart : Forall2 is_in_range common rs -> norm (x - y) <= apart ->
+  norm (image common x - image common y) <= fold_right (fun r apart => stretch r * apart) apart rs.
+Proof.
+  intros F X. induction F as [|k r common rs (N & T & S) F IH]; [exact X|].
+  cbn [image fold_right]. fold (image common x) (image common y). unfold posed.
+  replace (_ - _)%V with (rotate (turn k) (scaled (scale k) (image common x)) - rotate (turn k) (scaled (scale k) (image common y)))%V
+    by vec_ring.
+  rewrite <- rotate_sub, rotate_norm, scaled_sub by exact N. eapply Rle_trans; [apply (scaled_norm _ _ (stretch r) S)|].
+  apply Rmult_le_compat_l; [now apply (factor_nonneg (scale k))|exact IH].
+Qed.
+Theorem stays_near_holds : stays_near.
+Proof.
+  intros common rs links ranges others other_ranges x y d e C L O X Y. rewrite !image_app. apply common_links_stretch; [exact C|].
+  eapply Rle_trans; [apply norm_sub|]. apply Rplus_le_compat; now apply stays_in_reach_holds.
+Qed.
+Theorem blend_stays_in_reach_holds : blend_stays_in_reach.
+Proof.
+  intros w images r W I. assert (C : convex_set (in_ball (Ball (lzero : vec R) r))) by apply ball_convex.
+  assert (Z : forall x : vec R, norm (x - lzero) = norm x) by (intro x; f_equal; vec_ring).
+  rewrite <- Z. apply (convex_set_comb _ w images C W).
+  eapply Forall_impl; [|exact I]. intros x X. unfold in_ball. cbn [center radius]. now rewrite Z.
+Qed.
+Theorem turned_stays_in_reach_holds : turned_stays_in_reach.
+Proof.
+  intros qs images center w v r N W I. unfold skin_spherical. eapply Rle_trans; [apply norm_add|]. rewrite rotate_norm by exact N.
+  apply Rplus_le_compat_l. now apply blend_stays_in_reach_holds.
 Qed.
 
 (* The hypotheses can be met, and the bound is reached: a bone of the length 1, twice as long. *)
 Example reach_instance : let k := Link (Quat 1 0 0 0) (Vec 1 0 0) (Vec 2 2 2) in
   is_in_range k (Range 1 2) /\ norm (Vec 1 0 0) <= 1 /\ reach [Range 1 2] 1 = 3 /\ norm (image [k] (Vec 1 0 0)) = 3.
 Proof.
-  cbv zeta. unfold is_in_range. cbn [turn translation scale length_ stretch vx vy vz].
+  cbv zeta. unfold is_in_range, factors_within. cbn [turn translation scale length_ stretch vx vy vz].
   assert (A : Rabs 2 <= 2) by (rewrite Rabs_right; lra).
   assert (N : norm (Vec 1 0 0) = 1) by (apply norm_eq; vunfold; lra).
   repeat split; auto; try lra.
   - apply norm2_pos_inv. vunfold. lra.
   - cbn. lra.
   - apply norm_eq; [lra|]. unfold image, posed, scaled, rotate. cbn. vunfold. field.
+Qed.
+Example near_instance : let k := Link (Quat 1 0 0 0) (Vec 1 0 0) (Vec 2 2 2) in
+  Forall2 is_in_range [k] [Range 1 2] /\ convex 1 [1] /\ Forall (fun x : vec R => norm x <= 1) [Vec 1 0 0] /\
+  comb [1] [Quat 1 0 0 0] <> lzero.
+Proof.
+  cbv zeta. split; [|split; [|split]].
+  - apply Forall2_cons; [apply reach_instance|constructor].
+  - repeat split; [repeat constructor; lra|cbn; lra].
+  - apply Forall_cons; [|constructor]. apply norm_le. vunfold. lra.
+  - apply norm2_pos_inv. cbn. vunfold. lra.
 Qed.

@@ -9,8 +9,6 @@ Import ListNotations.
 
 (* --- The program --- *)
 
-(* d_i = t_i q_i / 2 for the rotation q_i and then the translation t_i. *)
-Definition dual_of (c : rigid) : quat R := (1 / 2 *: qmul (pure (translation c)) (rotation c))%V.
 Definition duals (z : posed_set) := map dual_of (transforms z).
 Definition deformed_dual (z : posed_set) (w : list R) (v : vec R) := skin_dual (rotations z) (duals z) w v.
 Definition dual_weight_vertices (z : posed_set) : list (quat R * quat R) :=

@@ -2,7 +2,7 @@
 (* algorithms/runtime/refit/linear.hpp: refitting for linear blend skinning [Kavan and Zara 2005a]. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
-Require Import Refitlab.s41_weight_vertices_span Refitlab.s42_linear_part_hull Refitlab.s44_joint_sets Refitlab.algorithm1_repaired.
+Require Import Refitlab.a1_affine_image Refitlab.s41_weight_vertices_span Refitlab.s42_linear_part_hull Refitlab.s44_joint_sets Refitlab.algorithm1_repaired.
 Require Import Refitlab.control_hull.
 Import ListNotations.
 
@@ -15,6 +15,15 @@ Definition skin_linear (z : posed_set) (w : list R) (v : vec R) : vec R :=
 Definition linear_balls (pieces : list (ball (vec R) * posed_set)) : list (ball (vec R)) :=
   flat_map (fun '(reference, z) =>
     map (fun c => Ball (skin_linear z c (center reference)) (radius reference)) (weight_vertices z)) pieces.
+
+(* Affine joints: maps x -> A x + b, and what each stretches at most. A ball's radius grows by what the blend at the weight vertex
+   stretches, or by the blend of what the joints stretch. *)
+Record affine_set := AffineSet {
+  maps : list (matrix R); offsets : list (vec R); stretches_of_joints : list R; listed : list (list R); stretch_at : list R -> R }.
+Definition skin_affine (z : affine_set) (w : list R) (v : vec R) : vec R := comb w (affine_images (maps z) (offsets z) v).
+Definition affine_balls (pieces : list (ball (vec R) * affine_set)) : list (ball (vec R)) :=
+  flat_map (fun '(reference, z) =>
+    map (fun c => Ball (skin_affine z c (center reference)) (stretch_at z c * radius reference)) (listed z)) pieces.
 
 (* --- Statements --- *)
 
@@ -30,6 +39,15 @@ Definition refit_linear_is_sound : Prop :=
   forall of_balls pieces reference z w v, encloses_its_balls of_balls ->
   In (reference, z) pieces -> is_rigid_set z -> is_weight_vertex_combination (weight_vertices z) w -> in_ball reference v ->
   in_ball (of_balls (linear_balls pieces)) (skin_linear z w v).
+
+Definition is_affine_set (z : affine_set) :=
+  Forall2 stretches (maps z) (stretches_of_joints z) /\ length (offsets z) = length (maps z) /\
+  Forall (fun c => convex (length (maps z)) c /\
+    (stretches (comb c (maps z)) (stretch_at z c) \/ comb c (stretches_of_joints z) <= stretch_at z c)) (listed z).
+Definition refit_affine_is_sound : Prop :=
+  forall of_balls pieces reference z w v, encloses_its_balls of_balls ->
+  In (reference, z) pieces -> is_affine_set z -> is_weight_vertex_combination (listed z) w -> in_ball reference v ->
+  in_ball (of_balls (affine_balls pieces)) (skin_affine z w v).
 
 (* --- Proofs --- *)
 
@@ -68,6 +86,17 @@ Proof.
   - now apply ball_around_balls.
 Qed.
 
+Theorem refit_affine_is_sound_holds : refit_affine_is_sound.
+Proof.
+  intros ob pieces reference z w v O I (S & L & C) (u & U & Q) V. unfold skin_affine. rewrite (swap_sums u (listed z) w) by auto.
+  apply convex_set_comb; [apply ball_convex|unfold weight_vertex_images; now rewrite map_length|].
+  apply Forall_map, Forall_forall. intros c Ic. rewrite Forall_forall in C. destruct (C c Ic) as [(_ & P & _) By].
+  pose (b := Ball (skin_affine z c (center reference)) (stretch_at z c * radius reference)).
+  apply (ball_around_balls ob (affine_balls pieces) O b).
+  - apply in_flat_map. exists (reference, z). split; [exact I|]. apply in_map_iff. now exists c.
+  - destruct reference as [p r]. apply (blend_is_in_control_ball_holds _ _ (stretches_of_joints z)); auto.
+Qed.
+
 (* The hypotheses can be met: the joint-set of algorithm1_instance. *)
 Example refit_linear_instance :
   let z := PosedSet [Rigid (Quat 1 0 0 0) (Vec 0 0 0); Rigid (Quat 0 0 0 1) (Vec 5 0 0)] (Vec 0 0 0) [[1; 0]; [0; 1]] in
@@ -76,5 +105,18 @@ Proof.
   split; [split|].
   - repeat apply Forall_cons; try apply Forall_nil; apply norm2_pos_inv; cbn [rotation]; vunfold; lra.
   - repeat apply Forall_cons; try apply Forall_nil; (split; [reflexivity|]; split; [repeat constructor; lra|cbn; lra]).
+  - apply algorithm1_instance.
+Qed.
+(* And a joint that doubles lengths beside one that keeps them. *)
+Example refit_affine_instance :
+  let doubled := (Vec 2 0 0, Vec 0 2 0, Vec 0 0 2) in let kept := (Vec 1 0 0, Vec 0 1 0, Vec 0 0 1) in
+  let z := AffineSet [doubled; kept] [Vec 0 0 0; Vec 5 0 0] [2; 1] [[1; 0]; [0; 1]] (fun c => comb c [2; 1]) in
+  is_affine_set z /\ is_weight_vertex_combination (listed z) [1 / 2; 1 / 2].
+Proof.
+  split; [split; [|split; [reflexivity|]]|].
+  - repeat apply Forall2_cons; try apply Forall2_nil; (split; [lra|]); unfold squared_stretch, row_sum; cbn [fst snd];
+      vunfold; repeat apply Rmax_lub; rewrite !Rabs_pos_eq by lra; lra.
+  - repeat apply Forall_cons; try apply Forall_nil;
+      (split; [split; [reflexivity|]; split; [repeat constructor; lra|cbn; lra]|right; apply Rle_refl]).
   - apply algorithm1_instance.
 Qed.

@@ -196,6 +196,11 @@ Lemma norm_scale a x : 0 <= a -> norm (a *: x) = a * norm x.
 Proof.
   intros A. apply norm_eq; [apply Rmult_le_pos; auto using norm_nonneg|]. rewrite norm2_scale, <- norm_sq. ring.
 Qed.
+Lemma norm_scale_abs a x : norm (a *: x) = Rabs a * norm x.
+Proof.
+  apply norm_eq; [apply Rmult_le_pos; auto using Rabs_pos, norm_nonneg|]. rewrite norm2_scale, <- norm_sq.
+  transitivity (Rabs a * Rabs a * (norm x * norm x)); [|ring]. now rewrite <- Rabs_mult, (Rabs_pos_eq (a * a)) by apply Rle_0_sqr.
+Qed.
 Lemma norm_opposite x y : norm (x - y) = norm (y - x).
 Proof. unfold norm. f_equal. dots. ring. Qed.
 Lemma norm_sub x y : norm (x - y) <= norm x + norm y.
@@ -210,6 +215,31 @@ Proof. replace (x - z)%V with ((x - y) + (y - z))%V by vec_ring. apply norm_add.
 Lemma unit_not_zero x : norm2 x = 1 -> x <> lzero.
 Proof. intros U. apply norm2_pos_inv. lra. Qed.
 End Norms.
+
+(* --- A vector with a factor of its own for each axis --- *)
+
+Definition scaled (s y : vec R) := Vec (vx s * vx y) (vy s * vy y) (vz s * vz y).
+(* No factor is greater than f. *)
+Definition factors_within (s : vec R) (f : R) := Rabs (vx s) <= f /\ Rabs (vy s) <= f /\ Rabs (vz s) <= f.
+Lemma factor_nonneg s f : factors_within s f -> 0 <= f.
+Proof. intros (F & _). pose proof (Rabs_pos (vx s)). lra. Qed.
+Lemma scaled_sub (s x y : vec R) : (scaled s x - scaled s y)%V = scaled s (x - y)%V.
+Proof. unfold scaled. vring. Qed.
+Lemma square_of_factor (a f x : R) : Rabs a <= f -> a * x * (a * x) <= f * f * (x * x).
+Proof.
+  intros A. assert (B : a * a <= f * f).
+  { pose proof (Rabs_pos a). assert (Rabs a * Rabs a <= f * f) by nra. rewrite <- Rabs_mult in *.
+    pose proof (Rle_abs (a * a)). lra. }
+  pose proof (Rle_0_sqr x) as X. unfold Rsqr in X. nra.
+Qed.
+Lemma scaled_norm (s y : vec R) (f : R) : factors_within s f -> norm (scaled s y) <= f * norm y.
+Proof.
+  intros (X & Y & Z). pose proof (factor_nonneg s f (Logic.conj X (Logic.conj Y Z))) as F. apply norm_le.
+  split; [apply Rmult_le_pos; [exact F|apply norm_nonneg]|].
+  assert (Q : f * norm y * (f * norm y) = f * f * norm2 y) by (rewrite <- (norm_sq y); ring). rewrite Q. clear Q.
+  pose proof (square_of_factor _ f (vx y) X). pose proof (square_of_factor _ f (vy y) Y). pose proof (square_of_factor _ f (vz y) Z).
+  destruct s, y. unfold scaled. vunfold. lra.
+Qed.
 
 (* --- Balls --- *)
 

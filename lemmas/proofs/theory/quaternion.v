@@ -77,3 +77,14 @@ Definition skin_dual (qs ds : list (quat R)) (w : list R) (v : vec R) : vec R :=
 Record rigid := Rigid { rotation : quat R; translation : vec R }.
 Definition apply_rigid (c : rigid) (v : vec R) : vec R := (rotate (rotation c) v + translation c)%V.
 Arguments apply_rigid c v%V.
+(* Its dual part, t_i q_i / 2 for the rotation q_i and then the translation t_i. *)
+Definition dual_of (c : rigid) : quat R := (1 / 2 *: qmul (pure (translation c)) (rotation c))%V.
+Lemma unit_moves (t : rigid) (f : vec R) : norm2 (rotation t) = 1 ->
+  (qmul (rotation t) (pure f) + 2 *: dual_of t)%V = qmul (pure (apply_rigid t f)) (rotation t).
+Proof.
+  intros U. unfold apply_rigid, rotate, dual_of. rewrite U, Rinv_1. destruct t as [q x]. cbn [rotation translation] in *.
+  assert (G : qmul (pure (turned q f q)) q = (norm2 q *: qmul q (pure f))%V) by vring.
+  replace (qmul (pure (1 *: turned q f q + x)%V) q) with (qmul (pure (turned q f q)) q + qmul (pure x) q)%V
+    by (generalize (turned q f q); vring).
+  rewrite G, U. generalize (qmul q (pure f)) (qmul (pure x) q). vfield.
+Qed.
