@@ -28,9 +28,17 @@ Fixpoint list_eqb {X} (same : X -> X -> bool) (xs ys : list X) : bool :=
   | x :: xs', y :: ys' => same x y && list_eqb same xs' ys'
   | _, _ => false
   end.
-(* A list as a table by number. *)
-Fixpoint numbered {X} (k : positive) (xs : list X) : PositiveMap.t X :=
-  match xs with [] => PositiveMap.empty X | x :: t => PositiveMap.add k x (numbered (Pos.succ k) t) end.
+(* Every second of a list from its first, and the others. *)
+Fixpoint alternate {X} (xs : list X) : list X * list X :=
+  match xs with [] => ([], []) | x :: t => let others := alternate t in (x :: snd others, fst others) end.
+(* A list as a table by number: the even numbers are left of 1, and the odd ones right. *)
+Fixpoint table_of_depth {X} (depth : nat) (xs : list X) : PositiveMap.t X :=
+  match depth, xs with
+  | S d, x :: t => let rest := alternate t in
+      PositiveMap.Node (table_of_depth d (fst rest)) (Some x) (table_of_depth d (snd rest))
+  | _, _ => PositiveMap.empty X
+  end.
+Definition numbered {X} (xs : list X) : PositiveMap.t X := table_of_depth (length xs) xs.
 
 Section Against.
 Context {T : Type} {n : Num T}.
@@ -49,7 +57,7 @@ Definition check_named (table : PositiveMap.t (point T)) (c : named T) (listed :
   end.
 (* The table of a model serves all certificates that are checked against it. *)
 Definition check_against (m : model T) : named T -> bool :=
-  let table := numbered 1 (points m) in fun c =>
+  let table := numbered (points m) in fun c =>
   let listed := combine (numbers c) (vertices (stated c)) in
   let known := fold_right (fun entry => PositiveMap.add (fst entry) tt) (PositiveMap.empty unit) listed in
   match nth_error (nodes m) (node c) with
@@ -80,15 +88,29 @@ End Values.
 
 (* --- Proof --- *)
 
-Lemma numbered_sound {X} (k j : positive) (xs : list X) x : PositiveMap.find k (numbered j xs) = Some x ->
-  (Pos.to_nat j <= Pos.to_nat k)%nat /\ nth_error xs (Pos.to_nat k - Pos.to_nat j) = Some x.
+Lemma alternate_is {X} (xs : list X) :
+  (forall i, nth_error (fst (alternate xs)) i = nth_error xs (2 * i)) /\
+  (forall i, nth_error (snd (alternate xs)) i = nth_error xs (S (2 * i))) /\
+  (length (fst (alternate xs)) <= length xs)%nat /\ (length (snd (alternate xs)) <= length xs)%nat.
 Proof.
-  revert j; induction xs as [|y xs IH]; intros j; cbn [numbered]; [rewrite PositiveMap.gempty; discriminate|].
-  destruct (Pos.eq_dec k j) as [->|N].
-  - rewrite PositiveMap.gss, Nat.sub_diag. intros F. now split.
-  - rewrite PositiveMap.gso by exact N. intros F. apply IH in F as [L F]. rewrite Pos2Nat.inj_succ in *.
-    split; [lia|]. replace (Pos.to_nat k - Pos.to_nat j)%nat with (S (Pos.to_nat k - S (Pos.to_nat j))) by lia. exact F.
+  induction xs as [|x xs (Even & Odd & Lf & Ls)]; cbn [alternate fst snd length].
+  - repeat split; intros; try lia; destruct i; reflexivity.
+  - split; [|split; [|split; lia]]; intros i.
+    + destruct i as [|i]; [reflexivity|]. cbn [nth_error]. rewrite Odd. now replace (2 * S i)%nat with (S (S (2 * i))) by lia.
+    + now rewrite Even.
 Qed.
+Lemma table_of_depth_is {X} d (xs : list X) k : (length xs <= d)%nat ->
+  PositiveMap.find k (table_of_depth d xs) = nth_error xs (Pos.to_nat k - 1).
+Proof.
+  revert xs k; induction d as [|d IH]; intros [|x t] k L; cbn [table_of_depth];
+    try (rewrite PositiveMap.gempty; now destruct (_ - _)%nat).
+  destruct (alternate_is t) as (Even & Odd & Lf & Ls). cbn [length] in L. pose proof (fun k => Pos2Nat.is_pos k) as P.
+  destruct k as [k|k|]; cbn [PositiveMap.find]; [| |reflexivity]; rewrite IH by lia; specialize (P k).
+  - rewrite Odd, Pos2Nat.inj_xI. now replace (S (2 * Pos.to_nat k) - 1)%nat with (S (S (2 * (Pos.to_nat k - 1)))) by lia.
+  - rewrite Even, Pos2Nat.inj_xO. now replace (2 * Pos.to_nat k - 1)%nat with (S (2 * (Pos.to_nat k - 1))) by lia.
+Qed.
+Lemma numbered_is {X} (xs : list X) k : PositiveMap.find k (numbered xs) = nth_error xs (Pos.to_nat k - 1).
+Proof. now apply table_of_depth_is. Qed.
 Lemma known_sound {X} k (listed : list (positive * X)) :
   PositiveMap.mem k (fold_right (fun entry => PositiveMap.add (fst entry) tt) (PositiveMap.empty unit) listed) = true ->
   exists x, In (k, x) listed.
@@ -129,12 +151,12 @@ Proof.
   { specialize (K t It). rewrite !andb_true_iff in K. destruct K as [[A B] D]. apply known_sound.
     destruct Ik as [->|[->| ->]]; assumption. }
   destruct M as (v & I). specialize (V _ I). unfold check_named in V. cbn [fst snd] in V.
-  destruct (PositiveMap.find k (numbered 1 (points m))) as [p|] eqn:F; [|discriminate].
+  destruct (PositiveMap.find k (numbered (points m))) as [p|] eqn:F; [|discriminate].
   destruct (nth_error (pieces (stated c)) (piece_of_vertex v)) as [pc|] eqn:P; [|discriminate].
   destruct (nth_error (joints c) (set_of_piece pc)) as [js|] eqn:J; [|discriminate].
   rewrite !andb_true_iff in V. destruct V as [[A B] W].
   apply joints_equal in A. apply vec_equal in B. apply numbers_equal in W. subst js.
-  apply numbered_sound in F as [_ F]. change (Pos.to_nat 1) with 1%nat in F.
+  rewrite numbered_is in F.
   apply in_combine_r in I. apply (in_map (vertex_map value)) in I. destruct (H _ I) as (js & S & G).
   unfold set_at in S. cbn [certificate_map pieces joint_sets vertex_map piece_of_vertex] in S.
   rewrite (map_nth_error (piece_map value) _ _ P) in S. cbn [piece_map set_of_piece] in S.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: MIT *)
 (* Certificates of which triangles of two posed characters meet (algorithms/certificate/pairs_certificate.hpp): the document,
    what an accepted one claims, the program, and the proof over any exact numbers. *)
-From Coq Require Import List Permutation FinFun Reals Lra Lia Bool PeanoNat PArith FMapPositive.
+From Coq Require Import List Permutation FinFun Reals Lra Lia Bool PeanoNat PArith FMapPositive SetoidList.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex.
 Require Import Refitlab.checker.certificate Refitlab.checker.check Refitlab.checker.exact Refitlab.checker.sound.
 Require Import Refitlab.checker.against.
@@ -76,10 +76,9 @@ Definition find_facet (spots : PositiveMap.t (vec T)) (table : PositiveMap.t (po
   | None => None
   end.
 Definition in_order (b : body T) (order : list positive) : option (list facet) :=
-  let table := numbered 1 (faces b) in
   let named := fold_right (fun k => PositiveMap.add k tt) (PositiveMap.empty unit) order in
-  if (length order =? length (faces b)) && forallb (fun e => PositiveMap.mem (fst e) named) (PositiveMap.elements table)
-  then all_some (map (find_facet (numbered 1 (corners b)) table) order) else None.
+  if (length order =? length (faces b)) && (length order <=? PositiveMap.cardinal named)
+  then all_some (map (find_facet (numbered (corners b)) (numbered (faces b))) order) else None.
 
 Definition all_corners (test : vec T -> bool) (set : list facet) : bool := forallb (fun f => forallb test (snd f)) set.
 Definition check_plane (normal : vec T) (offset : T) (before behind : list facet) : bool :=
@@ -159,24 +158,6 @@ Proof.
   destruct (f x) as [y|] eqn:F; [|discriminate]. destruct (all_some (map f xs)) as [zs|]; [|discriminate].
   intros [= <-]. cbn [map]. now rewrite (K x y F), (IH zs eq_refl).
 Qed.
-Lemma numbered_complete {X} (j : positive) (xs : list X) i x : nth_error xs i = Some x ->
-  PositiveMap.find (Pos.of_nat (Pos.to_nat j + i)) (numbered j xs) = Some x.
-Proof.
-  revert j i; induction xs as [|y xs IH]; intros j [|i]; try discriminate; cbn [nth_error numbered].
-  - intros [= ->]. rewrite Nat.add_0_r, Pos2Nat.id. apply PositiveMap.gss.
-  - intros F. rewrite PositiveMap.gso.
-    + replace (Pos.to_nat j + S i)%nat with (Pos.to_nat (Pos.succ j) + i)%nat by (rewrite Pos2Nat.inj_succ; lia). now apply IH.
-    + intros E. apply (f_equal Pos.to_nat) in E. pose proof (Pos2Nat.is_pos j). rewrite Nat2Pos.id in E; lia.
-Qed.
-Lemma numbered_from_one {X} (xs : list X) k x :
-  PositiveMap.find k (numbered 1 xs) = Some x <-> nth_error xs (Pos.to_nat k - 1) = Some x.
-Proof.
-  split.
-  - intros F. now apply numbered_sound in F as [_ F].
-  - intros F. apply (numbered_complete 1) in F. pose proof (Pos2Nat.is_pos k).
-    replace (Pos.to_nat 1 + (Pos.to_nat k - 1))%nat with (Pos.to_nat k) in F by (change (Pos.to_nat 1) with 1%nat; lia).
-    now rewrite Pos2Nat.id in F.
-Qed.
 Lemma named_sound k (order : list positive) :
   PositiveMap.mem k (fold_right (fun k => PositiveMap.add k tt) (PositiveMap.empty unit) order) = true -> In k order.
 Proof.
@@ -207,14 +188,29 @@ Proof.
   induction xs as [|x xs IH]; cbn [list_prod]; [constructor|]. rewrite map_app, <- !app_assoc.
   apply Permutation_app_head. rewrite IH, !app_assoc. apply Permutation_app_tail, Permutation_app_comm.
 Qed.
-(* As many numbers as the first ones, which are among them. *)
-Lemma nodup_order (order : list positive) k : length order = k ->
-  (forall j, (Pos.to_nat j <= k)%nat -> In j order) -> NoDup order.
+(* So many different numbers as there are numbers: none is twice. *)
+Lemma named_nodup (order : list positive) :
+  (length order <= PositiveMap.cardinal (fold_right (fun k => PositiveMap.add k tt) (PositiveMap.empty unit) order))%nat -> NoDup order.
 Proof.
-  intros L A. apply (NoDup_incl_NoDup (l := map Pos.of_succ_nat (seq 0 k))).
-  - apply Injective_map_NoDup; [intros i j E; now apply SuccNat2Pos.inj|apply seq_NoDup].
-  - rewrite map_length, seq_length. lia.
-  - intros j I. apply in_map_iff in I as (i & <- & I). apply in_seq in I. apply A. rewrite SuccNat2Pos.id_succ. lia.
+  set (named := fold_right (fun k => PositiveMap.add k tt) (PositiveMap.empty unit) order). rewrite PositiveMap.cardinal_1. intros L.
+  apply (NoDup_incl_NoDup (l := map fst (PositiveMap.elements named))).
+  - clear L. pose proof (PositiveMap.elements_3w named) as N. induction N as [|[k []] es N _ IH]; [constructor|].
+    cbn [map fst]. constructor; [|exact IH]. intros I. apply N. apply in_map_iff in I as ([j []] & E & I). cbn in E. subst j.
+    apply InA_alt. exists (k, tt). now split.
+  - now rewrite map_length.
+  - intros k I. apply in_map_iff in I as ([j []] & E & I). cbn in E. subst j. apply PositiveMap.elements_complete in I.
+    apply named_sound. fold named. now rewrite PositiveMap.mem_find, I.
+Qed.
+(* As many different numbers as the first ones, of which they are. *)
+Lemma order_is_all (order : list positive) k : NoDup order -> length order = k ->
+  (forall j, In j order -> (Pos.to_nat j <= k)%nat) -> forall j, (Pos.to_nat j <= k)%nat -> In j order.
+Proof.
+  intros N L A j J. assert (Q : length (map Pos.of_succ_nat (seq 0 k)) = k) by now rewrite map_length, seq_length.
+  apply (NoDup_length_incl (l := order) (l' := map Pos.of_succ_nat (seq 0 k)) N); [lia| |].
+  - intros i I. apply A in I. pose proof (Pos2Nat.is_pos i). apply in_map_iff. exists (Pos.to_nat i - 1)%nat. split; [|apply in_seq; lia].
+    apply Pos2Nat.inj. rewrite SuccNat2Pos.id_succ. lia.
+  - pose proof (Pos2Nat.is_pos j). apply in_map_iff. exists (Pos.to_nat j - 1)%nat. split; [|apply in_seq; lia].
+    apply Pos2Nat.inj. rewrite SuccNat2Pos.id_succ. lia.
 Qed.
 
 Section Soundness.
@@ -225,16 +221,11 @@ Notation spots f := (map vmap (snd f)) (only parsing).
 Lemma value_vdot a b : value (vdot a b) = dot (vmap a) (vmap b).
 Proof. cbn. unfold vdot. cbn. now rewrite !value_add, !value_mul. Qed.
 
-Lemma find_facet_is (b : body T) k :
-  find_facet (numbered 1 (corners b)) (numbered 1 (faces b)) k =
+Lemma find_facet_is (b : body T) k : find_facet (numbered (corners b)) (numbered (faces b)) k =
   match triangle_at b k with Some ps => Some (k, ps) | None => None end.
 Proof.
-  assert (S : forall X (xs : list X) i, PositiveMap.find i (numbered 1 xs) = nth_error xs (Pos.to_nat i - 1)).
-  { intros X xs i. destruct (nth_error xs (Pos.to_nat i - 1)) as [x|] eqn:F; [now apply numbered_from_one|].
-    destruct (PositiveMap.find i (numbered 1 xs)) as [x|] eqn:G; [|reflexivity].
-    apply numbered_from_one in G. congruence. }
-  unfold find_facet, triangle_at, face_at, corner_at. rewrite S.
-  destruct (nth_error (faces b) (Pos.to_nat k - 1)) as [[[i j] l]|]; [|reflexivity]. rewrite !S.
+  unfold find_facet, triangle_at, face_at, corner_at. rewrite numbered_is.
+  destruct (nth_error (faces b) (Pos.to_nat k - 1)) as [[[i j] l]|]; [|reflexivity]. rewrite !numbered_is.
   destruct (nth_error (corners b) (Pos.to_nat i - 1)); [|reflexivity].
   destruct (nth_error (corners b) (Pos.to_nat j - 1)); [|reflexivity].
   destruct (nth_error (corners b) (Pos.to_nat l - 1)); reflexivity.
@@ -245,22 +236,22 @@ Lemma in_order_sound (b : body T) order fs : in_order b order = Some fs ->
   forall k ps, In (k, ps) fs <-> triangle_at b k = Some ps.
 Proof.
   unfold in_order. destruct (_ && _) eqn:C; [|discriminate]. apply andb_true_iff in C as [N C].
-  rewrite forallb_forall in C. apply Nat.eqb_eq in N. intros A.
+  apply Nat.eqb_eq in N. apply Nat.leb_le, named_nodup in C. intros A.
   assert (K : map fst fs = order).
   { apply (all_some_keys _ fst _ _) in A; [exact A|]. intros k f. rewrite find_facet_is.
     destruct (triangle_at b k); [now intros [= <-]|discriminate]. }
   rewrite K. apply all_some_sound in A as [A B].
-  assert (O : forall k, face_at b k <> None -> In k order).
-  { intros k F. unfold face_at in F. destruct (nth_error (faces b) (Pos.to_nat k - 1)) as [f|] eqn:E; [|contradiction].
-    apply numbered_from_one in E. apply PositiveMap.elements_correct in E. apply C in E. now apply named_sound. }
   assert (L : forall k, In k order -> exists ps, triangle_at b k = Some ps /\ In (k, ps) fs).
   { intros k I. destruct (A k I) as (f & F & If). rewrite find_facet_is in F.
     destruct (triangle_at b k) as [ps|]; [|discriminate]. injection F as <-. now exists ps. }
+  assert (O : forall k, face_at b k <> None -> In k order).
+  { intros k F. apply (order_is_all order _ C N); [|unfold face_at in F; rewrite nth_error_Some in F; lia].
+    intros j I. apply L in I as (ps & I & _). unfold triangle_at, face_at in I.
+    destruct (nth_error (faces b) (Pos.to_nat j - 1)) as [f|] eqn:E; [|discriminate].
+    assert (Q : nth_error (faces b) (Pos.to_nat j - 1) <> None) by congruence. rewrite nth_error_Some in Q. lia. }
   split.
   - intros k F. apply O, L in F as (ps & F & _). congruence.
-  - split.
-    { apply (nodup_order _ _ N). intros j J. apply O. unfold face_at. rewrite nth_error_Some. pose proof (Pos2Nat.is_pos j). lia. }
-    intros k ps. split.
+  - split; [exact C|]. intros k ps. split.
     + intros I. destruct (B _ I) as (j & _ & F). rewrite find_facet_is in F.
       destruct (triangle_at b j) as [qs|] eqn:E; [|discriminate]. now injection F as -> ->.
     + intros F. assert (G : face_at b k <> None) by (unfold triangle_at in F; destruct (face_at b k); congruence).

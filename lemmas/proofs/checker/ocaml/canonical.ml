@@ -17,7 +17,9 @@ let character text i =
     ((c land 7) lsl 18) lor (bits 1 lsl 12) lor (bits 2 lsl 6) lor bits 3, 4
   else 0xdc00 + c, 1
 
-let add_string out text =
+let string_of text =
+  let is_plain c = c >= ' ' && c <= '~' && c <> '"' && c <> '\\' in
+  let out = Buffer.create (String.length text + 2) in
   let unit u = Printf.bprintf out "\\u%04x" u in
   let rec from i =
     if i < String.length text then begin
@@ -36,37 +38,9 @@ let add_string out text =
       from (i + length)
     end
   in
-  let is_plain c = c >= ' ' && c <= '~' && c <> '"' && c <> '\\' in
   Buffer.add_char out '"';
   if String.for_all is_plain text then Buffer.add_string out text else from 0;
-  Buffer.add_char out '"'
-
-let string_of text =
-  let out = Buffer.create 80 in
-  add_string out text;
-  Buffer.contents out
-
-let rec add out indent (value : Yojson.Safe.t) =
-  let items brackets each = function
-    | [] -> Buffer.add_string out brackets
-    | list ->
-        let line depth = Buffer.add_char out '\n'; for _ = 1 to depth do Buffer.add_char out ' ' done in
-        Buffer.add_char out brackets.[0];
-        List.iteri (fun i item -> if i > 0 then Buffer.add_char out ','; line (indent + 1); each item) list;
-        line indent;
-        Buffer.add_char out brackets.[1]
-  in
-  match value with
-  | `String text -> add_string out text
-  | `Int i -> Buffer.add_string out (string_of_int i)
-  | `List list -> items "[]" (add out (indent + 1)) list
-  | `Assoc list -> items "{}" (fun (key, v) -> add_string out key; Buffer.add_string out ": "; add out (indent + 1) v) list
-  | _ -> raise (Rejected "a value that no certificate has")
-
-let encode length value =
-  let out = Buffer.create length in
-  add out 0 value;
-  Buffer.add_char out '\n';
+  Buffer.add_char out '"';
   Buffer.contents out
 
 (* Half of a character beyond 0xffff, which no text has: it would be ED and then at least A0. *)
@@ -76,8 +50,8 @@ let has_half_character text =
     | _ -> false in
   from 0
 
-(* Reads a text that is in canonical form, and rejects any other: what is read is what encode makes this text of. The order of keys
-   is kept: whoever reads an object says which keys it has, in order. *)
+(* Reads a text that is in canonical form, and rejects any other: so texts that are read as the same value are the same. The order of
+   keys is kept: whoever reads an object says which keys it has, in order. *)
 let parse text =
   let length = String.length text and at = ref 0 in
   let no_form () = raise (Rejected "no document in canonical form") in
