@@ -47,7 +47,7 @@ std::map<std::string, std::set<std::string>> recorded_errors() {
 
 // What every throw expression calls, in place of the C++ runtime's own, which then does its work. The runtime's headers
 // do not declare it for programs.
-extern "C" [[noreturn]] void __cxa_throw(void* thrown, std::type_info* type, void (*destroy)(void*)) {
+extern "C" __attribute__((noreturn)) void __cxa_throw(void* thrown, std::type_info* type, void (*destroy)(void*)) {
   using Throw = void (*)(void*, std::type_info*, void (*)(void*));
   static const auto runtime = reinterpret_cast<Throw>(dlsym(RTLD_NEXT, "__cxa_throw"));
   void* object = thrown;
