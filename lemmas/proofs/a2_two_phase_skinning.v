@@ -4,13 +4,17 @@ From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex.
 Import ListNotations.
 
-(* --- Statement --- *)
+(* --- Statements --- *)
 
 (* (i), for any maps. *)
 Definition scaled_in_convex_set : Prop := forall E (l : Lin R E) (H : Euclid E) (K : E -> Prop) (scales : list (E -> E)) w v,
   convex_set K -> convex (length scales) w -> Forall (fun s => K (s v)) scales -> K (comb w (map (fun s => s v) scales)).
+(* (ii): B holds what the rigid skinning makes of every point of K. *)
+Definition two_phases_in_bound : Prop := forall E (l : Lin R E) (H : Euclid E) (K B : E -> Prop) (scales : list (E -> E)) w v (rigid : E -> E),
+  convex_set K -> convex (length scales) w -> Forall (fun s => K (s v)) scales -> (forall x, K x -> B (rigid x)) ->
+  B (rigid (comb w (map (fun s => s v) scales))).
 
-(* --- Proof --- *)
+(* --- Proofs --- *)
 
 Theorem scaled_in_convex_set_holds : scaled_in_convex_set.
 Proof.
@@ -18,6 +22,9 @@ Proof.
   - now rewrite map_length.
   - now apply Forall_map.
 Qed.
+
+Theorem two_phases_in_bound_holds : two_phases_in_bound.
+Proof. intros E l H K B scales w v rigid C W F D. now apply D, scaled_in_convex_set_holds. Qed.
 
 (* The hypotheses can be met: a joint that scales by 3, and one that does not, in the ball about 0 of the radius 3. *)
 Example two_phase_instance : let scales := [(fun x : R => x); (fun x => 3 * x)] in

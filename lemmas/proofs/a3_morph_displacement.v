@@ -12,7 +12,7 @@ Fixpoint more_radius {E} `{Euclid E} (m : list R) (balls : list (ball E)) : R :=
 Definition displaced_ball {E} `{Euclid E} (b : ball E) (m : list R) (balls : list (ball E)) : ball E :=
   Ball (center b + comb m (map center balls))%V (radius b + more_radius m balls).
 
-(* --- Statement --- *)
+(* --- Statements --- *)
 
 (* (i) *)
 Definition stays_in_displaced_ball : Prop := forall E (l : Lin R E) (H : Euclid E) (b : ball E) (balls : list (ball E)) v0 ds m,
@@ -62,7 +62,7 @@ Definition displaced_moves : Prop := forall E (l : Lin R E) (H : Euclid E) (v0 :
   norm v0 <= size -> Forall2 (fun f w => moves f w a b) m weights -> Forall2 (fun k d => norm d <= k) lengths ds ->
   length m = length ds -> moves (fun t => displaced v0 (map (fun f => f t) m) ds) (displaced_motion size lengths weights) a b.
 
-(* What a refit that does not know of displacements takes is false. *)
+(* What a refit without displacements assumes is false. *)
 Definition stays_in_reference_somewhere : Prop := forall (b : ball R) (v0 d m : R), in_ball b v0 -> in_ball b (v0 + m * d).
 
 (* --- Proof --- *)
@@ -146,8 +146,7 @@ Qed.
 
 Lemma scaling_is_short {E} `{Euclid E} : short_product (fun (s : R) (x : E) => (s *: x)%V).
 Proof.
-  intros s x. rewrite norm_scale_abs. apply Rmult_le_compat_r; [apply norm_nonneg|]. right. symmetry.
-  apply norm_eq; [apply Rabs_pos|]. unfold norm2. cbn. rewrite <- Rabs_mult. symmetry. apply Rabs_pos_eq, Rle_0_sqr.
+  intros s x. rewrite norm_scale_abs, norm_of_number. lra.
 Qed.
 Theorem displaced_moves_holds : displaced_moves.
 Proof.
@@ -174,10 +173,11 @@ Example morph_instance : in_ball (Ball (1 / 2) (1 / 2)) 1 /\ Forall2 in_ball [Ba
 Proof.
   split; [|constructor; [|constructor]]; unfold in_ball; cbn; apply norm_le; unfold norm2; cbn; lra.
 Qed.
-Example ranges_instance : let b := Ball (3 / 2) (1 / 2) in Forall2 is_in_range [2] [(1, 3)] /\ Forall2 is_no_shorter [3 / 2] [b] /\
+Example ranges_instance : let b := Ball (3 / 2) (1 / 2) in in_ball (Ball (1 / 2) (1 / 2)) 1 /\ Forall2 in_ball [b] [2] /\ Forall2 is_in_range [2] [(1, 3)] /\ Forall2 is_no_shorter [3 / 2] [b] /\
   is_in_range (dot 1 1) (0, 1) /\ Forall2 (fun d => is_in_range (dot 1 d)) [2] [(1, 2)] /\ moves (fun _ : R => 2) (at_rest 2) 0 1.
 Proof.
-  cbv zeta. unfold is_in_range, is_no_shorter. cbn [center radius fst snd]. repeat split; try (cbn; lra).
+  cbv zeta. split; [apply morph_instance|]. split; [apply morph_instance|].
+  unfold is_in_range, is_no_shorter. cbn [center radius fst snd]. repeat split; try (cbn; lra).
   - apply Forall2_cons; [cbn; lra|constructor].
   - apply Forall2_cons; [|constructor]. apply norm_le. unfold norm2. cbn. lra.
   - apply Forall2_cons; [cbn; lra|constructor].

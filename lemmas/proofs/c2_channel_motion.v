@@ -13,13 +13,14 @@ Definition cubic_channel {E} `{Euclid E} (p q r s : E) (T t : R) := line (quadra
 (* From a to b, whose angle is theta. *)
 Definition slerp {E} `{Euclid E} (a b : E) (theta T t : R) :=
   ((sin (theta - t / T * theta) / sin theta) *: a + (sin (t / T * theta) / sin theta) *: b)%V.
-(* The tangent of half an angle, from that of the angle; and a bound of the angle by that of its half. *)
+(* The tangent of half an angle, from that of the angle; and a bound of the angle, from the tangent of its half. *)
 Definition half_tangent (t : R) := t / (1 + sqrt (1 + t * t)).
 Definition angle_by_half_tangent (t : R) := 16 * half_tangent (half_tangent (half_tangent t)).
 
 (* --- Statements --- *)
 
-(* n is any bound of what is to be measured at both ends. *)
+(* n is no less than the lengths of both ends. (Of scales these are about each factor, and scale_by_axes of c4_chain_motion puts them
+   together.) *)
 Definition linear_moves : Prop := forall E (l : Lin R E) (H : Euclid E) (a b : E) (T n : R), 0 < T -> norm a <= n -> norm b <= n ->
   moves (linear_channel a b T) (Motion n (norm (b - a) / T) 0) 0 T.
 (* 3 / T (q - p) and so on are the points of the velocity, and 6 / T^2 (p - 2 q + r) those of the acceleration. *)

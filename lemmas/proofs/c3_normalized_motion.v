@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: MIT *)
-(* How p / ||p|| and p / ||p||^2 move, by how p moves, in any real inner product space. Their derivatives are those that ||p|| q = p
-   and ||p||^2 g = p have, by the rule of Leibniz; of curves of quaternions it is proved that they have these. *)
+(* How q = p / ||p|| and g = p / ||p||^2 move, by how p moves, in any real inner product space. The rule of Leibniz for ||p|| q = p and
+   ||p||^2 g = p says what their derivatives are. That curves of quaternions have them is proved, too. *)
 From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.curve.
 Import ListNotations.

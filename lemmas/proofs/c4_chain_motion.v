@@ -34,6 +34,10 @@ Definition turn_of_chain (links : list link) (t : R) := fold_right (fun k q => q
 
 (* --- Statements --- *)
 
+(* A scale moves as its three factors do. *)
+Definition scale_by_axes : Prop := forall (s : R -> vec R) m a b, moves (fun t => vx (s t)) m a b -> moves (fun t => vy (s t)) m a b ->
+  moves (fun t => vz (s t)) m a b -> scale_moves s m a b.
+
 (* What a product's derivatives are by the rule of Leibniz moves within the product of the bounds. *)
 Definition product_moves : Prop := forall X Y Z (lx : Lin R X) (ly : Lin R Y) (lz : Lin R Z) (ex : Euclid X) (ey : Euclid Y)
   (ez : Euclid Z) (B : X -> Y -> Z) (x x' x'' : X) (y y' y'' : Y) (s s' s'' t t' t'' : R),
@@ -113,6 +117,23 @@ Proof.
 Qed.
 
 (* --- A link --- *)
+
+Lemma norm_of_number (x : R) : norm x = Rabs x.
+Proof. apply norm_eq; [apply Rabs_pos|]. unfold norm2. cbn. rewrite <- Rabs_mult. symmetry. apply Rabs_pos_eq, Rle_0_sqr. Qed.
+Lemma derivative_by_axes (s s' : R -> vec R) a b : derivative (fun t => vx (s t)) (fun t => vx (s' t)) a b ->
+  derivative (fun t => vy (s t)) (fun t => vy (s' t)) a b -> derivative (fun t => vz (s t)) (fun t => vz (s' t)) a b -> derivative s s' a b.
+Proof.
+  intros X Y Z e t T. specialize (X (vx e) t T). specialize (Y (vy e) t T). specialize (Z (vz e) t T). cbn in *. unfold vdot. cbn.
+  exact (derivable_pt_lim_plus _ _ _ _ _ (derivable_pt_lim_plus _ _ _ _ _ X Y) Z).
+Qed.
+Theorem scale_by_axes_holds : scale_by_axes.
+Proof.
+  intros s m a b (x' & x'' & X & X' & Mx) (y' & y'' & Y & Y' & My) (z' & z'' & Z & Z' & Mz).
+  exists (fun t => Vec (x' t) (y' t) (z' t)), (fun t => Vec (x'' t) (y'' t) (z'' t)).
+  split; [now apply derivative_by_axes|]. split; [now apply derivative_by_axes|].
+  intros t T. unfold factors_within. cbn [vx vy vz]. rewrite <- !norm_of_number.
+  destruct (Mx t T) as (? & ? & ?), (My t T) as (? & ? & ?), (Mz t T) as (? & ? & ?). auto.
+Qed.
 
 Lemma conj_norm (q : quat R) : norm (conj q) <= norm q.
 Proof. unfold norm. rewrite norm2_conj. lra. Qed.

@@ -22,7 +22,8 @@ Definition spherical_moves : Prop := forall (turns : list (R -> quat R)) (images
   0 < m -> (forall t, a <= t <= b -> m <= norm (comb w (at_moment t turns))) -> norm (v - center) <= d ->
   moves (fun t => skin_spherical (at_moment t turns) (at_moment t images) center w v)
     (sum_of_motions (product_of_motions (product_of_motions (Motion 1 L A) (inverse_motion L A m)) (at_rest d)) of_images) a b.
-(* (iii), as seen from f, of joints that are curves of rigid transforms: the vertex is on a curve that moves within this. *)
+(* (iii), as seen from f, of joints that are curves of transforms. They need to be rigid in [a, b] alone, where the skinned vertex is on
+   a curve that moves within this. *)
 Definition dual_moves : Prop := forall (joints : list (R -> rigid)) w v f L A (m a b s : R) (reach : motion),
   convex (length joints) w ->
   (forall j t, In j joints -> a <= t <= b -> norm2 (rotation (j t)) = 1) ->

@@ -40,6 +40,10 @@ Definition interval_in_convex_set : Prop := forall E (l : Lin R E) (H : Euclid E
   convex_set K -> K (f a) -> K (f b) ->
   a < b -> derivative f f' a b -> derivative f' f'' a b -> within f'' m a b -> 0 <= s <= 1 ->
   near K (f (a + s * (b - a))%R) (m * ((b - a) * (b - a)) / 8).
+(* By a bound of the speed. *)
+Definition interval_in_convex_set_by_speed : Prop := forall E (l : Lin R E) (H : Euclid E) (K : E -> Prop) (f f' : R -> E) (a b m s : R),
+  convex_set K -> K (f a) -> K (f b) ->
+  a < b -> derivative f f' a b -> within f' m a b -> 0 <= s <= 1 -> near K (f (a + s * (b - a))%R) (m * (b - a) / 2).
 Definition interval_in_ball : Prop := forall E (l : Lin R E) (H : Euclid E) (c : E) (r : R) (f f' f'' : R -> E) (a b m s : R),
   in_ball (Ball c r) (f a) -> in_ball (Ball c r) (f b) ->
   a < b -> derivative f f' a b -> derivative f' f'' a b -> within f'' m a b -> 0 <= s <= 1 ->
@@ -70,6 +74,14 @@ Definition ends_are_enough_somewhere : Prop := forall (K : R -> Prop) (f f' f'' 
 Lemma chord_in_convex_set {E} `{Euclid E} (K : E -> Prop) x y s : convex_set K -> K x -> K y -> 0 <= s <= 1 -> K (between x y s).
 Proof. intros C X Y S. unfold between. replace s with (1 - (1 - s)) at 2 by ring. apply C; auto; lra. Qed.
 
+Theorem interval_in_convex_set_by_speed_holds : interval_in_convex_set_by_speed.
+Proof.
+  intros E l H K f f' a b m s C A B AB D W S. exists (between (f a) (f b) s). split; [now apply chord_in_convex_set|].
+  eapply Rle_trans; [exact (chord_first_order_holds E l H f f' a b m s AB D W S)|].
+  assert (M : 0 <= m) by (eapply Rle_trans; [apply norm_nonneg|apply (W a); lra]).
+  assert (P : 0 <= m * (b - a)) by (apply Rmult_le_pos; lra). pose proof (Rle_0_sqr (s - 1 / 2)) as Q. unfold Rsqr in Q.
+  replace (2 * (s * (1 - s)) * (b - a) * m) with (2 * (m * (b - a)) * (s * (1 - s))) by ring. nra.
+Qed.
 Theorem interval_in_convex_set_holds : interval_in_convex_set.
 Proof.
   intros E l H K f f' f'' a b m s C A B AB D1 D2 W S. exists (between (f a) (f b) s). split; [now apply chord_in_convex_set|].

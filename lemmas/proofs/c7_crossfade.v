@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: MIT *)
 (* How a joint moves in a crossfade of two clips: translations, scales, and rotations that are blended and normalised. (A slerp in the
-   weight is `slerp_moves` of c2_channel_motion with T = 1.) *)
+   weight, for a known angle, is `slerp_moves` of c2_channel_motion with T = 1.) *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.curve.
 Require Import Refitlab.c2_channel_motion Refitlab.c3_normalized_motion Refitlab.c4_chain_motion.
@@ -24,6 +24,10 @@ Definition blend_of_units : Prop := forall E (l : Lin R E) (H : Euclid E) (p q :
 Definition nlerp_moves : Prop := forall (p q : quat R) (c : R),
   norm2 p = 1 -> norm2 q = 1 -> c <= dot p q -> -1 < c <= 1 ->
   moves (fun w => normalized (faded p q w)) (normalized_motion (sqrt (2 - 2 * c)) 0 (sqrt ((1 + c) / 2))) 0 1.
+(* And in the time of the first clip, or of the second. *)
+Definition nlerp_moves_by_time : Prop := forall (p : R -> quat R) (q : quat R) (s L A c w share a b : R), moves p (Motion s L A) a b ->
+  (forall t, a <= t <= b -> norm2 (p t) = 1 /\ c <= dot (p t) q) -> norm2 q = 1 -> -1 < c <= 1 -> 0 <= w <= 1 -> 1 - w <= share ->
+  moves (fun t => normalized (faded (p t) q w)) (normalized_motion (share * L) (share * A) (sqrt ((1 + c) / 2))) a b.
 
 (* --- Proofs --- *)
 
@@ -73,6 +77,14 @@ Proof.
   - apply fades_by_weight_holds; [apply Req_le, norm_unit, P|apply Req_le, norm_unit, Q|exact G].
   - apply sqrt_lt_R0. lra.
   - intros w W. apply (blend_of_units_holds _ _ _ p q c w); auto; lra.
+Qed.
+
+Theorem nlerp_moves_by_time_holds : nlerp_moves_by_time.
+Proof.
+  intros p q s L A c w share a b M U Q C W S.
+  apply (normalized_curve_moves_holds _ (Rmax s 1)); [|apply sqrt_lt_R0; lra|].
+  - apply (fades_by_time_holds _ _ _ p q (Motion s L A) 1 w share a b M); auto. apply Req_le, norm_unit, Q.
+  - intros t T. destruct (U t T) as [N D]. apply (blend_of_units_holds _ _ _ (p t) q c w); auto; lra.
 Qed.
 
 (* The hypotheses can be met: two quaternions at a right angle, and a clip that rests. *)

@@ -26,7 +26,7 @@ Definition stays_near : Prop := forall common rs links ranges others other_range
   norm x <= d -> norm y <= e ->
   norm (image (common ++ links) x - image (common ++ others) y) <=
     fold_right (fun r apart => stretch r * apart) (reach ranges d + reach other_ranges e) rs.
-(* (ii): by linear blending, and spherically about a fixed center, whose images are these. *)
+(* (ii): by linear blending, of the joints' images of the vertex, and spherically about a fixed center, of those of the center. *)
 Definition blend_stays_in_reach : Prop := forall w (images : list (vec R)) r, convex (length images) w ->
   Forall (fun x => norm x <= r) images -> norm (comb w images) <= r.
 Definition turned_stays_in_reach : Prop := forall qs images center w v r, comb w qs <> lzero -> convex (length images) w ->

@@ -16,8 +16,8 @@ Definition linear_balls (pieces : list (ball (vec R) * posed_set)) : list (ball 
   flat_map (fun '(reference, z) =>
     map (fun c => Ball (skin_linear z c (center reference)) (radius reference)) (weight_vertices z)) pieces.
 
-(* Affine joints: maps x -> A x + b, and what each stretches at most. A ball's radius grows by what the blend at the weight vertex
-   stretches, or by the blend of what the joints stretch. *)
+(* Affine joints: maps x -> A x + b, and what each stretches at most. A ball's radius is multiplied by what the blend at the
+   weight vertex stretches, or by the blend of what the joints stretch. *)
 Record affine_set := AffineSet {
   maps : list (matrix R); offsets : list (vec R); stretches_of_joints : list R; listed : list (list R); stretch_at : list R -> R }.
 Definition skin_affine (z : affine_set) (w : list R) (v : vec R) : vec R := comb w (affine_images (maps z) (offsets z) v).

@@ -28,7 +28,7 @@ Fixpoint list_eqb {X} (same : X -> X -> bool) (xs ys : list X) : bool :=
   | x :: xs', y :: ys' => same x y && list_eqb same xs' ys'
   | _, _ => false
   end.
-(* Every second of a list from its first, and the others. *)
+(* Every second element of a list, from the first on, and then the others. *)
 Fixpoint alternate {X} (xs : list X) : list X * list X :=
   match xs with [] => ([], []) | x :: t => let others := alternate t in (x :: snd others, fst others) end.
 (* A list as a table by number: the even numbers are left of 1, and the odd ones right. *)

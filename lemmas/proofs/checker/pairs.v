@@ -188,7 +188,7 @@ Proof.
   induction xs as [|x xs IH]; cbn [list_prod]; [constructor|]. rewrite map_app, <- !app_assoc.
   apply Permutation_app_head. rewrite IH, !app_assoc. apply Permutation_app_tail, Permutation_app_comm.
 Qed.
-(* So many different numbers as there are numbers: none is twice. *)
+(* As many different numbers as numbers: none is there twice. *)
 Lemma named_nodup (order : list positive) :
   (length order <= PositiveMap.cardinal (fold_right (fun k => PositiveMap.add k tt) (PositiveMap.empty unit) order))%nat -> NoDup order.
 Proof.
@@ -201,7 +201,7 @@ Proof.
   - intros k I. apply in_map_iff in I as ([j []] & E & I). cbn in E. subst j. apply PositiveMap.elements_complete in I.
     apply named_sound. fold named. now rewrite PositiveMap.mem_find, I.
 Qed.
-(* As many different numbers as the first ones, of which they are. *)
+(* k different numbers, none above k, are all of 1 to k. *)
 Lemma order_is_all (order : list positive) k : NoDup order -> length order = k ->
   (forall j, In j order -> (Pos.to_nat j <= k)%nat) -> forall j, (Pos.to_nat j <= k)%nat -> In j order.
 Proof.
@@ -230,7 +230,7 @@ Proof.
   destruct (nth_error (corners b) (Pos.to_nat j - 1)); [|reflexivity].
   destruct (nth_error (corners b) (Pos.to_nat l - 1)); reflexivity.
 Qed.
-(* What is in order are all triangles of the body, each once. *)
+(* The list has all triangles of the body, each once. *)
 Lemma in_order_sound (b : body T) order fs : in_order b order = Some fs ->
   (forall k, face_at b k <> None -> triangle_at b k <> None) /\ NoDup (map fst fs) /\
   forall k ps, In (k, ps) fs <-> triangle_at b k = Some ps.

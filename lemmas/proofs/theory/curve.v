@@ -5,7 +5,7 @@ From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex.
 Import ListNotations.
 
-(* f' is the derivative of f throughout [a, b]. *)
+(* f' is the derivative of f throughout [a, b], from both sides also at its ends: a piece of a clip is continued by its own formula. *)
 Definition derivative {E} `{Euclid E} (f f' : R -> E) (a b : R) :=
   forall e t, a <= t <= b -> derivable_pt_lim (fun x => dot (f x) e) t (dot (f' t) e).
 
