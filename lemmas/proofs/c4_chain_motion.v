@@ -3,10 +3,13 @@
    is at most that of its factors, link by link. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.quaternion Refitlab.theory.curve.
+Require Import Refitlab.c2_channel_motion.
 Import ListNotations.
 
 Definition short_product {X Y Z} `{Euclid X} `{Euclid Y} `{Euclid Z} (B : X -> Y -> Z) :=
   forall x y, norm (B x y) <= norm x * norm y.
+
+Definition is_wider (wide m : motion) := size m <= size wide /\ speed m <= speed wide /\ acceleration m <= acceleration wide.
 
 (* A link carries y to t + q (s y) q*, which turns by the quaternion q where its length is 1: three curves, and their bounds. A scale
    is measured by its greatest factor. *)
@@ -38,6 +41,12 @@ Definition turn_of_chain (links : list link) (t : R) := fold_right (fun k q => q
 Definition scale_by_axes : Prop := forall (s : R -> vec R) m a b, moves (fun t => vx (s t)) m a b -> moves (fun t => vy (s t)) m a b ->
   moves (fun t => vz (s t)) m a b -> scale_moves s m a b.
 
+(* A link between two keys, by linear channels and a slerp. *)
+Definition channels_move_a_link : Prop := forall (q r : quat R) (t u s v : vec R) (theta T n f g : R), 0 < T -> 0 < theta < PI ->
+  norm2 q = 1 -> norm2 r = 1 -> dot q r = cos theta -> norm t <= n -> norm u <= n ->
+  factors_within s f -> factors_within v f -> factors_within (v - s)%V (g * T) ->
+  link_moves 0 T (Link (slerp q r theta T) (linear_channel t u T) (linear_channel s v T))
+    (LinkMotion (Motion 1 (theta / T) (theta * theta / (T * T))) (Motion n (norm (u - t) / T) 0) (Motion f g 0)).
 (* What a product's derivatives are by the rule of Leibniz moves within the product of the bounds. *)
 Definition product_moves : Prop := forall X Y Z (lx : Lin R X) (ly : Lin R Y) (lz : Lin R Z) (ex : Euclid X) (ey : Euclid Y)
   (ez : Euclid Z) (B : X -> Y -> Z) (x x' x'' : X) (y y' y'' : Y) (s s' s'' t t' t'' : R),
@@ -97,6 +106,11 @@ Proof.
   split; [|split]; (eapply Rle_trans; [apply norm_add|]); lra.
 Qed.
 
+Lemma moves_wider {E} `{Euclid E} (f : R -> E) (m wide : motion) a b : is_wider wide m -> moves f m a b -> moves f wide a b.
+Proof.
+  intros (W0 & W1 & W2) (f' & f'' & F & F' & M). exists f', f''. split; [exact F|]. split; [exact F'|]. intros t T.
+  destruct (M t T) as (M0 & M1 & M2). split; [|split]; lra.
+Qed.
 (* A linear map that makes nothing longer. *)
 Lemma curve_mapped {X Y} `{Euclid X} `{Euclid Y} (L : X -> Y) (f : R -> X) m a b : has_adjoint L -> (forall x, norm (L x) <= norm x) ->
   moves f m a b -> moves (fun t => L (f t)) m a b.
@@ -141,6 +155,18 @@ Lemma pure_norm (x : vec R) : norm (pure x) <= norm x.
 Proof. unfold norm. rewrite norm2_pure. lra. Qed.
 Lemma im_norm (q : quat R) : norm (im q) <= norm q.
 Proof. apply sqrt_le_1_alt, norm2_im. Qed.
+Theorem channels_move_a_link_holds : channels_move_a_link.
+Proof.
+  intros q r t u s v theta T n f g P A Uq Ur D Nt Nu S V G. split; [|split]; cbn [turn translation scale of_turn of_translation of_scale].
+  - now apply slerp_moves_holds.
+  - now apply linear_moves_holds.
+  - destruct S as (S0 & S1 & S2), V as (V0 & V1 & V2), G as (G0 & G1 & G2).
+    assert (One : forall x y : R, Rabs x <= f -> Rabs y <= f -> Rabs (y - x) <= g * T -> moves (linear_channel x y T) (Motion f g 0) 0 T).
+    { intros x y X Y Z. pose proof (linear_moves_holds R _ _ x y T f P) as M. rewrite !norm_of_number in M.
+      apply (moves_wider _ _ _ 0 T) with (2 := M X Y). split; [apply Rle_refl|]. split; [|apply Rle_refl]. cbn [speed].
+      apply Rmult_le_reg_r with T; [exact P|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. exact Z. }
+    apply scale_by_axes_holds; now apply One.
+Qed.
 (* Im(a x b-conjugate). *)
 Lemma turned_moves (p q : R -> quat R) (x : R -> vec R) (l m n : motion) a b : moves p l a b -> moves q n a b -> moves x m a b ->
   moves (fun t => turned (p t) (x t) (q t)) (product_of_motions (product_of_motions l m) n) a b.
@@ -226,4 +252,12 @@ Proof.
   - now apply constant_moves.
   - exists (fun _ => lzero), (fun _ => lzero). split; [apply derivative_constant|]. split; [apply derivative_constant|].
     intros t _. unfold factors_within. vunfold. cbn [size speed acceleration at_rest]. rewrite Rabs_R0, Rabs_pos_eq; lra.
+Qed.
+Example channels_instance : let q := Quat 1 0 0 0 in let r := Quat 0 1 0 0 in let s := Vec 1 1 1 in let v := Vec 1 1 2 in
+  0 < PI / 2 < PI /\ norm2 q = 1 /\ norm2 r = 1 /\ dot q r = cos (PI / 2) /\ norm (Vec 1 0 0) <= 1 /\
+  factors_within s 2 /\ factors_within v 2 /\ factors_within (v - s)%V (1 * 1).
+Proof.
+  assert (A : forall x b : R, - b <= x <= b -> Rabs x <= b) by (intros x b X; now apply Rabs_le).
+  pose proof PI_RGT_0. cbv zeta. rewrite cos_PI2. unfold factors_within. vunfold.
+  repeat split; try lra; try (apply A; lra). apply norm_le. vunfold. lra.
 Qed.

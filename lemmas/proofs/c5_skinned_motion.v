@@ -8,13 +8,19 @@ Import ListNotations.
 
 (* What curves are at a moment. *)
 Definition at_moment {E} (t : R) (curves : list (R -> E)) := map (fun f => f t) curves.
-Definition is_wider (wide m : motion) := size m <= size wide /\ speed m <= speed wide /\ acceleration m <= acceleration wide.
 
 (* --- Statements --- *)
 
 (* (i) *)
 Definition linear_moves : Prop := forall E (l : Lin R E) (H : Euclid E) (images : list (R -> E)) w (m : motion) a b,
   convex (length images) w -> Forall (fun x => moves x m a b) images -> moves (fun t => comb w (at_moment t images)) m a b.
+(* Each joint is a chain, with what its links and the vertex below it do. *)
+Record chained := Chained { links : list link; their_motions : list link_motion; below : R -> vec R; its_motion : motion }.
+Definition moves_by_chain (a b : R) (wide : motion) (j : chained) := Forall2 (link_moves a b) (links j) (their_motions j) /\
+  moves (below j) (its_motion j) a b /\ is_wider wide (carried_motion (chain (their_motions j)) (its_motion j)).
+Definition linear_moves_by_chains : Prop := forall (joints : list chained) w (wide : motion) a b,
+  convex (length joints) w -> Forall (moves_by_chain a b wide) joints ->
+  moves (fun t => comb w (map (fun j => image (links j) (below j) t) joints)) wide a b.
 (* (ii) *)
 Definition spherical_moves : Prop := forall (turns : list (R -> quat R)) (images : list (R -> vec R)) w center v L A (m d a b : R)
   (of_images : motion), convex (length turns) w -> length images = length turns ->
@@ -36,12 +42,6 @@ Definition dual_moves : Prop := forall (joints : list (R -> rigid)) w v f L A (m
 
 (* --- Proofs --- *)
 
-Lemma moves_wider {E} `{Euclid E} (f : R -> E) (m wide : motion) a b : is_wider wide m -> moves f m a b -> moves f wide a b.
-Proof.
-  intros (W0 & W1 & W2) (f' & f'' & F & F' & M). exists f', f''. split; [exact F|]. split; [exact F'|]. intros t T.
-  destruct (M t T) as (M0 & M1 & M2). split; [|split]; lra.
-Qed.
-
 Theorem linear_moves_holds : linear_moves.
 Proof.
   intros E l H images w m a b (L & P & S) F.
@@ -60,6 +60,15 @@ Proof.
       pose proof (curves_add_holds _ _ _ _ _ _ _ a b Y IH) as Z. eapply moves_same; [| |exact Z]; [reflexivity|].
       rewrite sum_cons. apply motion_eq; cbn [size speed acceleration sum_of_motions]; ring. }
   rewrite S in G. eapply moves_same; [| |exact G]; [reflexivity|]. apply motion_eq; cbn [size speed acceleration]; ring.
+Qed.
+
+Theorem linear_moves_by_chains_holds : linear_moves_by_chains.
+Proof.
+  intros joints w wide a b W F.
+  apply (moves_same (fun t => comb w (at_moment t (map (fun j => image (links j) (below j)) joints))) _ wide); [|reflexivity|].
+  - intros t. unfold at_moment. now rewrite map_map.
+  - apply linear_moves_holds; [now rewrite map_length|]. apply Forall_map, (Forall_impl _ (P := _)) with (2 := F).
+    intros j (L & B & Wide). apply (moves_wider _ _ _ a b Wide). now apply chain_moves_holds.
 Qed.
 
 (* The blend and its inverse. *)
@@ -137,4 +146,10 @@ Proof.
   - split; [vunfold; ring|]. apply (moves_same (fun _ => lzero) _ (at_rest 0)); [|reflexivity|].
     + intros t. unfold apply_rigid, rotate. cbn. vunfold. f_equal; field.
     + apply constant_moves. rewrite norm_zero. lra.
+Qed.
+(* And one joint with no links above it. *)
+Example chained_instance : convex 1 [1] /\ moves_by_chain 0 1 (at_rest 1) (Chained [] [] (fun _ => Vec 1 0 0) (at_rest 1)).
+Proof.
+  split; [repeat split; [repeat constructor; lra|cbn; lra]|]. split; [constructor|].
+  split; [apply constant_moves, norm_le; vunfold; lra|]. unfold is_wider. cbn. lra.
 Qed.
