@@ -35,7 +35,7 @@ class Reach:
         if file == "proptests/certificate/check_pairs":
             return [(0, "pairs_certificate")]
         if file.startswith("proptests/certificate/"):
-            return [(1, "clip_certificate")] if "clip" in file or "over_time" in file else [(0, "check"), (1, "certificate")]
+            return [(1, "clip_certificate")] if "clip" in file or "over_time" in file else [(0, "check"), (1, "documents"), (2, "certificate")]
         distance, queue = {file: 0}, collections.deque([file])
         while queue:
             at = queue.popleft()
