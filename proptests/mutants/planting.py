@@ -177,7 +177,7 @@ class Copy:
         if suite == proofs.SUITE:
             return proofs.first_failure(self, program, limit)
         only = ["--only", "=" + suite] if suite else []
-        process = subprocess.Popen([program, *only], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=ROOT,
+        process = subprocess.Popen([program, *only], text=True, errors="replace", stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=ROOT,
                                    preexec_fn=lambda: bound_resources(limit))
         try:
             for line in process.stdout:
