@@ -75,14 +75,15 @@ void lengthen(Character& c) {
   c.tree.pieces.insert(c.tree.pieces.end(), own.begin(), own.end());
 }
 
-// Puts a weight vertex of three joints beside their simplex, although no weight is above 1 and their sum is 1.
-void leave_simplex(Character& c) {
+// Puts this in place of the first weight vertex of three joints.
+void set_weight_vertices(Character& c, const std::array<double, 3>& weights) {
   c = bake(gen::make_mesh({gen::MeshKind::tube, 4, 6, 3, 1}));
   for (const NodePiece& piece : c.tree.pieces)
     if (c.sets.joints(piece.joint_set).size() == 3)
-      for (int i = 0; i < 3; ++i)
-        c.tree.weight_vertices[static_cast<std::size_t>(piece.first_weight + i)] = std::array{-0.25, 1., 0.25}[i];
+      for (int i = 0; i < 3; ++i) c.tree.weight_vertices[static_cast<std::size_t>(piece.first_weight + i)] = weights[i];
 }
+// Beside the simplex, although no weight is above 1 and their sum is 1.
+void leave_simplex(Character& c) { set_weight_vertices(c, {-0.25, 1, 0.25}); }
 
 // Lets a piece begin at a weight vertex in the midst of those of an earlier piece of its joint-set.
 void begin_within_another(std::vector<NodePiece>& pieces, const JointSets& sets) {
@@ -284,6 +285,11 @@ void spoiled_files_are_refused(Suite& t) {
         wrong += std::string(fault.words) + ": '" + found + "'; ";
     }
     return Checked(wrong.empty(), static_cast<long>(all.size()), wrong);
+  });
+  t.example("weight vertices at corners of the simplex are read", {}, [] {
+    Character c = small_character();
+    set_weight_vertices(c, {0, 1, 0});
+    return refusal(bytes_of(c)).empty();
   });
   t.example("balls at the end of what is accepted are read", {}, [] {
     Character c = small_character();
