@@ -319,6 +319,24 @@ void a_center_that_stays(Suite& t) {
                   slack.followed == Followed::linear_blend && off > 1e-7 && slack.beyond[0] > off && slack.beyond[0] < 10 * off,
                   1, std::to_string(slack.beyond[0] / off) + " times as much is allowed for");
             });
+  t.example(
+      "joints whose images are one at both ends of a time may come apart in between, and so may the vertex and its linear blend",
+      {}, [] {
+        // The second joint swings out and back, as a spline from no turn to no turn: half-way by twice the angle of tangent 1/2.
+        Model model = turning(0);
+        NodeTrack& track = model.clips[0].animation.tracks[0];
+        const Eigen::Quaterniond none = Eigen::Quaterniond::Identity(), rest(0, 0, 0, 0), there(0, 0, 0, 2), back(0, 0, 0, -2);
+        track.rotations.keys = {{0, none}, {1, none}};
+        track.rotations.interpolation = Interpolation::cubic;
+        track.rotations.tangents = {{rest, there}, {back, rest}};
+        const AnimatedJoints joints(model, model.clips[0].animation, true);
+        const JointSets sets(model);
+        const MovingVertices spherical(model, sets, Skinning::spherical, {0});
+        const CellSlack slack = spherical.slack(joints.cell(0, 0, joints.times()[1]), Finite::must_be);
+        const double off = 1 - 2 / std::sqrt(5.0);  // the vertex turns by half of it, and its linear blend is half of both images
+        return Checked(joints.times()[1] == 1 && slack.beyond[0] > off && slack.beyond[0] < 30 * off, 1,
+                       std::to_string(slack.beyond[0] / off) + " times as much is allowed for");
+      });
 }
 
 void what_is_not_followed_or_costs_nothing(Suite& t) {
