@@ -152,7 +152,7 @@ def said_of_proofs(root):
         raise ResultError(f"{root / agreed.TABLE}: cannot be read: {error}") from error
     of_kinds = [f"{true} true ones of {kind} and {others} others ({true_by_kernel} and {others_by_kernel} by the kernel)"
                 for kind, (true, others, true_by_kernel, others_by_kernel) in judged.items() if true]
-    certificates = (f"Of certificates, the Python checkers, the proved program and Coq's kernel judged alike {' and '.join(of_kinds)};\n"
+    certificates = (f"Of certificates, the Python checkers, the proved program and Coq's kernel judged alike\n{' and '.join(of_kinds)};\n"
                     f"most others are tampered with. (`{agreed.TABLE}`; `proptests/certificate/agree --record` adds to it.)\n" if of_kinds else "")
     return (f"In Coq {len(proved)} statements are proved. {len(refuted)} are proved false, {by_paper} of them as the paper prints or implies them. Nothing is admitted, and the\n"
             f"theorems rest on {axioms} axioms, which are those of Coq's real numbers. (`lemmas/proofs/check` compiles and checks them all.)\n{certificates}")
