@@ -142,8 +142,7 @@ Proof.
   intros K X Y D. assert (X' : norm2 (-1 *: x) = 1) by (rewrite norm2_scale; lra).
   exists (fun t => k *: circle y (-1 *: x) k t)%V, (fun t => k *: (k *: circle (-1 *: x) (-1 *: y) k t))%V.
   split; [apply circle_derivative|]. split.
-  - assert (A : has_adjoint (fun x : E => (k *: x)%V)) by (intros e; exists (k *: e)%V; intros z; rewrite dot_scale_l, dot_scale_r; reflexivity).
-    apply (derivative_map (fun x : E => (k *: x)%V)); [exact A|apply circle_derivative].
+  - apply (derivative_map (fun x : E => (k *: x)%V)); [apply scaling_has_adjoint|apply circle_derivative].
   - intros t _. cbn [size speed acceleration].
     assert (Y' : norm2 (-1 *: y) = 1) by (rewrite norm2_scale; lra).
     assert (D1 : dot y (-1 *: x) = 0) by (rewrite dot_scale_r, dot_comm; lra).

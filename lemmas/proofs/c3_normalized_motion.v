@@ -184,10 +184,7 @@ Proof.
   intros D D' N r d r'.
   assert (Root : derivative (fun t => norm (p t)) (fun t => d t * r t) a b).
   { apply derivative_of_numbers. intros t T. specialize (N t T).
-    assert (S : derivable_pt_lim (fun t => norm2 (p t)) t (2 * d t)).
-    { apply (numbers_of_derivative (fun t => norm2 (p t)) (fun t => 2 * d t) a b); [|exact T].
-      eapply derivative_same; [reflexivity| |exact (derivative_product (fun p q : quat R => dot p q) p p' p p' a b qdot_is_product D D)].
-      intros x _. unfold d. rewrite (dot_comm (p' x)). cbn. ring. }
+    pose proof (numbers_of_derivative _ _ a b (derivative_of_norm2 p p' a b D) t T) as S.
     replace (d t * r t) with (/ (2 * sqrt (norm2 (p t))) * (2 * d t)).
     - apply (derivable_pt_lim_comp (fun t => norm2 (p t)) sqrt t); [exact S|now apply derivable_pt_lim_sqrt].
     - unfold r, norm. field. apply Rgt_not_eq. now apply sqrt_lt_R0. }
@@ -214,13 +211,10 @@ Proof.
   destruct (derivatives_of_inverse_norm p p' p'' a b D D' N) as [Dr Dr'].
   set (r := fun t => / norm (p t)) in *. set (r' := fun t => - dot (p t) (p' t) * (r t * (r t * r t))) in *. cbv beta in Dr'.
   match type of Dr' with derivative _ ?f _ _ => set (r'' := f) in * end.
-  exists (fun t => r' t *: p t + r t *: p' t)%V, (fun t => r'' t *: p t + 2 *: (r' t *: p' t) + r t *: p'' t)%V.
-  split; [exact (derivative_product (fun (s : R) (x : quat R) => (s *: x)%V) r r' p p' a b scaling_is_product Dr D)|].
-  split; [exact (second_derivative_of_product (fun (s : R) (x : quat R) => (s *: x)%V)
-    r r' r'' p p' p'' a b scaling_is_product Dr Dr' D D')|].
+  apply (scaled_curve_moves r r' r'' p p' p'' _ a b Dr Dr' D D').
   intros t T. specialize (N t T). specialize (Long t T). destruct (M t T) as (_ & M1 & M2). cbn [size speed acceleration] in M1, M2.
   apply (normalized_moves_holds _ _ _ (p t) (p' t) (p'' t)); auto.
-  unfold is_normalized_moment, normalized, r'', r', r. assert (P : 0 < norm (p t)) by lra. generalize dependent (norm (p t)). 
+  unfold is_normalized_moment, normalized, r'', r', r. assert (P : 0 < norm (p t)) by lra. generalize dependent (norm (p t)).
   intros n _ P. generalize (dot (p t) (p' t)) (norm2 (p' t)) (dot (p t) (p'' t)). intros x y z. repeat split; vec_field; lra.
 Qed.
 
@@ -235,8 +229,7 @@ Proof.
   assert (Du : derivative u u' a b).
   { eapply derivative_same; [reflexivity| |apply (derivative_of_inverse (fun t => norm2 (p t)) (fun t => 2 * d t)); [|exact N]].
     - intros t _. unfold u', u. ring.
-    - eapply derivative_same; [reflexivity| |exact (derivative_product (fun p q : quat R => dot p q) p p' p p' a b qdot_is_product D D)].
-      intros t _. unfold d. rewrite (dot_comm (p' t)). cbn. ring. }
+    - exact (derivative_of_norm2 p p' a b D). }
   assert (Dd : derivative d d' a b).
   { exact (derivative_product (fun p q : quat R => dot p q) p p' p' p'' a b qdot_is_product D D'). }
   assert (Du' : derivative u' u'' a b).
@@ -244,10 +237,7 @@ Proof.
     pose proof (derivative_product (fun s x : R => (s *: x)%V) d d' _ _ a b scaling_is_product Dd Duu) as Dduu.
     pose proof (derivative_product (fun s x : R => (s *: x)%V) _ _ _ _ a b scaling_is_product (derivative_constant (-2) a b) Dduu) as Q.
     eapply derivative_same; [| |exact Q]; intros; unfold u'', u'; cbv [lscale ladd lzero lin_num add mul zero ops_R]; ring. }
-  exists (fun t => u' t *: p t + u t *: p' t)%V, (fun t => u'' t *: p t + 2 *: (u' t *: p' t) + u t *: p'' t)%V.
-  split; [exact (derivative_product (fun (s : R) (x : quat R) => (s *: x)%V) u u' p p' a b scaling_is_product Du D)|].
-  split; [exact (second_derivative_of_product (fun (s : R) (x : quat R) => (s *: x)%V)
-    u u' u'' p p' p'' a b scaling_is_product Du Du' D D')|].
+  apply (scaled_curve_moves u u' u'' p p' p'' _ a b Du Du' D D').
   intros t T. specialize (N t T). specialize (Long t T). destruct (M t T) as (_ & M1 & M2). cbn [size speed acceleration] in M1, M2.
   apply (inverse_moves_holds _ _ _ (p t) (p' t) (p'' t)); auto.
   unfold is_inverse_moment, inverse_of, u'', u', u, d', d. generalize dependent (norm2 (p t)). intros n N.

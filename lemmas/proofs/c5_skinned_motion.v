@@ -52,8 +52,7 @@ Proof.
     - apply Forall_cons_iff in P as [U P]. specialize (IH w ltac:(auto) P).
       assert (Y : moves (fun t => u *: x t)%V (Motion (u * size m) (u * speed m) (u * acceleration m)) a b).
       { destruct X as (x' & x'' & D & D' & M). exists (fun t => u *: x' t)%V, (fun t => u *: x'' t)%V.
-        assert (Sc : has_adjoint (fun y : E => (u *: y)%V)).
-        { intros e. exists (u *: e)%V. intros y. rewrite dot_scale_l, dot_scale_r. reflexivity. }
+        pose proof (scaling_has_adjoint (E := E) u).
         split; [now apply (derivative_map (fun y => (u *: y)%V))|]. split; [now apply (derivative_map (fun y => (u *: y)%V))|].
         intros t T. destruct (M t T) as (M0 & M1 & M2). cbn [size speed acceleration].
         split; [|split]; rewrite norm_scale by exact U; apply Rmult_le_compat_l; assumption. }

@@ -34,10 +34,8 @@ Definition nlerp_moves_by_time : Prop := forall (p : R -> quat R) (q : quat R) (
 Theorem fades_by_time_holds : fades_by_time.
 Proof.
   intros E l H f y m n w share a b (f' & f'' & F & F' & M) Y W S.
-  assert (A : has_adjoint (fun x : E => ((1 - w) *: x)%V)).
-  { intros e. exists ((1 - w) *: e)%V. intros z. now rewrite dot_scale_l, dot_scale_r. }
   assert (Fade : forall g g', derivative g g' a b -> derivative (fun t => (1 - w) *: g t)%V (fun t => (1 - w) *: g' t)%V a b).
-  { intros g g' G. now apply (derivative_map (fun x : E => ((1 - w) *: x)%V)). }
+  { intros g g' G. apply (derivative_map (fun x : E => ((1 - w) *: x)%V)); [apply scaling_has_adjoint|exact G]. }
   exists (fun t => (1 - w) *: f' t)%V, (fun t => (1 - w) *: f'' t)%V. split; [|split; [now apply Fade|]].
   - eapply derivative_same; [| |exact (derivative_sum _ _ _ _ a b (Fade f f' F) (derivative_constant (w *: y)%V a b))].
     + intros t. unfold faded. vec_ring.

@@ -15,12 +15,10 @@ def sources_digest(root, kind):
 
 def totals(root):
     """Of each kind, the sums of the columns true to others_by_kernel over the rows of today's checkers. A seed counts once."""
-    out = {}
-    for kind in NOT_OF:
-        of_seed = {}
-        with (root / TABLE).open(newline="", encoding="utf-8") as file:
-            for row in csv.DictReader(file):
-                if row["kind"] == kind and row["checkers"] == sources_digest(root, kind):
-                    of_seed[row["seed"]] = [int(row[column]) for column in COLUMNS[4:]]
-        out[kind] = [sum(column) for column in zip([0] * 4, *of_seed.values())]
-    return out
+    today = {kind: sources_digest(root, kind) for kind in NOT_OF}
+    of_seed = {kind: {} for kind in NOT_OF}
+    with (root / TABLE).open(newline="", encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            if row["checkers"] == today[row["kind"]]:
+                of_seed[row["kind"]][row["seed"]] = [int(row[column]) for column in COLUMNS[4:]]
+    return {kind: [sum(column) for column in zip([0] * 4, *rows.values())] for kind, rows in of_seed.items()}

@@ -48,6 +48,8 @@ Proof.
   intros [x y z]. exists [(Vec x 0 0, Vec 1 0 0); (Vec 0 y 0, Vec 0 1 0); (Vec 0 0 z, Vec 0 0 1)].
   intros [sx sy sz] [px py pz]. unfold scaled. cbn. vunfold. ring.
 Qed.
+Lemma scaling_has_adjoint {E} `{Euclid E} (s : R) : has_adjoint (fun x : E => (s *: x)%V).
+Proof. intros e. exists (s *: e)%V. intros x. now rewrite dot_scale_l, dot_scale_r. Qed.
 Lemma conj_has_adjoint : has_adjoint (fun q : quat R => conj q).
 Proof. intros e. exists (conj e). vring. Qed.
 Lemma pure_has_adjoint : has_adjoint (fun v : vec R => pure v).
@@ -111,4 +113,22 @@ Lemma second_derivative_of_product {X Y Z} `{Euclid X} `{Euclid Y} `{Euclid Z} (
 Proof.
   intros P F F' G G'. eapply derivative_same; [reflexivity| |apply derivative_sum; apply derivative_product; eassumption].
   intros t _. vec_ring.
+Qed.
+
+(* A curve times a number that moves, too. *)
+Lemma scaled_curve_moves {E} `{Euclid E} (u u' u'' : R -> R) (p p' p'' : R -> E) (m : motion) (a b : R) :
+  derivative u u' a b -> derivative u' u'' a b -> derivative p p' a b -> derivative p' p'' a b ->
+  (forall t, a <= t <= b -> moves_within (u t *: p t)%V (u' t *: p t + u t *: p' t)%V
+    (u'' t *: p t + 2 *: (u' t *: p' t) + u t *: p'' t)%V (size m) (speed m) (acceleration m)) ->
+  moves (fun t => u t *: p t)%V m a b.
+Proof.
+  intros U U' D D' M. eexists _, _. split; [exact (derivative_product (fun (s : R) (x : E) => (s *: x)%V) u u' p p' a b scaling_is_product U D)|].
+  split; [exact (second_derivative_of_product (fun (s : R) (x : E) => (s *: x)%V) u u' u'' p p' p'' a b scaling_is_product U U' D D')|exact M].
+Qed.
+(* The squared length of a curve. *)
+Lemma derivative_of_norm2 (p p' : R -> quat R) (a b : R) : derivative p p' a b ->
+  derivative (fun t => norm2 (p t)) (fun t => 2 * dot (p t) (p' t)) a b.
+Proof.
+  intros D. eapply derivative_same; [reflexivity| |exact (derivative_product (fun p q : quat R => dot p q) p p' p p' a b qdot_is_product D D)].
+  intros t _. cbv beta. rewrite (dot_comm (p' t) (p t)). cbn. ring.
 Qed.
