@@ -39,6 +39,8 @@ Fixpoint table_of_depth {X} (depth : nat) (xs : list X) : PositiveMap.t X :=
   | _, _ => PositiveMap.empty X
   end.
 Definition numbered {X} (xs : list X) : PositiveMap.t X := table_of_depth (length xs) xs.
+(* The numbers of a list as a set. *)
+Definition set_of (ks : list positive) : PositiveMap.t unit := fold_right (fun k => PositiveMap.add k tt) (PositiveMap.empty unit) ks.
 
 Section Against.
 Context {T : Type} {n : Num T}.
@@ -59,7 +61,7 @@ Definition check_named (table : PositiveMap.t (point T)) (c : named T) (listed :
 Definition check_against (m : model T) : named T -> bool :=
   let table := numbered (points m) in fun c =>
   let listed := combine (numbers c) (vertices (stated c)) in
-  let known := fold_right (fun entry => PositiveMap.add (fst entry) tt) (PositiveMap.empty unit) listed in
+  let known := set_of (map fst listed) in
   match nth_error (nodes m) (node c) with
   | None => false
   | Some range =>
@@ -111,15 +113,10 @@ Proof.
 Qed.
 Lemma numbered_is {X} (xs : list X) k : PositiveMap.find k (numbered xs) = nth_error xs (Pos.to_nat k - 1).
 Proof. now apply table_of_depth_is. Qed.
-Lemma known_sound {X} k (listed : list (positive * X)) :
-  PositiveMap.mem k (fold_right (fun entry => PositiveMap.add (fst entry) tt) (PositiveMap.empty unit) listed) = true ->
-  exists x, In (k, x) listed.
+Lemma set_of_sound ks k : PositiveMap.mem k (set_of ks) = true -> In k ks.
 Proof.
-  rewrite PositiveMap.mem_find. induction listed as [|[j x] listed IH]; cbn [fold_right fst].
-  - rewrite PositiveMap.gempty. discriminate.
-  - destruct (Pos.eq_dec k j) as [->|N].
-    + intros _. exists x. now left.
-    + rewrite PositiveMap.gso by exact N. intros F. apply IH in F as (y & I). exists y. now right.
+  unfold set_of. rewrite PositiveMap.mem_find. induction ks as [|j ks IH]; cbn [fold_right]; [rewrite PositiveMap.gempty; discriminate|].
+  destruct (Pos.eq_dec k j) as [->|N]; [now left|]. rewrite PositiveMap.gso by exact N. intros F. right. now apply IH.
 Qed.
 
 Section Soundness.
@@ -148,8 +145,10 @@ Proof.
   intros [[C V] K]. exists range. split; [reflexivity|]. intros t k It Ik.
   apply (check_is_sound value) in C as [H _]. cbn [certificate_map vertices joint_sets] in H.
   assert (M : exists v, In (k, v) (combine (numbers c) (vertices (stated c)))).
-  { specialize (K t It). rewrite !andb_true_iff in K. destruct K as [[A B] D]. apply known_sound.
-    destruct Ik as [->|[->| ->]]; assumption. }
+  { specialize (K t It). rewrite !andb_true_iff in K. destruct K as [[A B] D].
+    assert (J : In k (map fst (combine (numbers c) (vertices (stated c))))).
+    { apply set_of_sound. destruct Ik as [->|[->| ->]]; assumption. }
+    apply in_map_iff in J as ([j v] & <- & J). now exists v. }
   destruct M as (v & I). specialize (V _ I). unfold check_named in V. cbn [fst snd] in V.
   destruct (PositiveMap.find k (numbered (points m))) as [p|] eqn:F; [|discriminate].
   destruct (nth_error (pieces (stated c)) (piece_of_vertex v)) as [pc|] eqn:P; [|discriminate].

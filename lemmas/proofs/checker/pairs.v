@@ -65,8 +65,8 @@ Fixpoint all_some {X} (xs : list (option X)) : option (list X) :=
   | None :: _ => None
   end.
 (* The triangles of a body, each once, in this order. *)
-Definition find_facet (spots : PositiveMap.t (vec T)) (table : PositiveMap.t (positive * positive * positive)) (k : positive)
-  : option facet :=
+Definition find_facet {X} (spots : PositiveMap.t X) (table : PositiveMap.t (positive * positive * positive)) (k : positive)
+  : option (positive * list X) :=
   match PositiveMap.find k table with
   | Some (i, j, l) =>
       match PositiveMap.find i spots, PositiveMap.find j spots, PositiveMap.find l spots with
@@ -75,12 +75,12 @@ Definition find_facet (spots : PositiveMap.t (vec T)) (table : PositiveMap.t (po
       end
   | None => None
   end.
-Definition in_order (b : body T) (order : list positive) : option (list facet) :=
-  let named := fold_right (fun k => PositiveMap.add k tt) (PositiveMap.empty unit) order in
-  if (length order =? length (faces b)) && (length order <=? PositiveMap.cardinal named)
-  then all_some (map (find_facet (numbered (corners b)) (numbered (faces b))) order) else None.
+Definition in_order {X} (spots : list X) (triangles : list (positive * positive * positive)) (order : list positive)
+  : option (list (positive * list X)) :=
+  if (length order =? length triangles) && (length order <=? PositiveMap.cardinal (set_of order))
+  then all_some (map (find_facet (numbered spots) (numbered triangles)) order) else None.
 
-Definition all_corners (test : vec T -> bool) (set : list facet) : bool := forallb (fun f => forallb test (snd f)) set.
+Definition all_corners {X} (test : X -> bool) (set : list (positive * list X)) : bool := forallb (fun f => forallb test (snd f)) set.
 Definition check_plane (normal : vec T) (offset : T) (before behind : list facet) : bool :=
   all_corners (fun p => ltb (vdot normal p) offset) before && all_corners (fun p => ltb offset (vdot normal p)) behind.
 Definition check_contact (a b : facet) (c : contact T) : bool :=
@@ -102,7 +102,7 @@ Fixpoint walk (todo : list (list facet * list facet)) (ss : list (step T)) (cs :
   end.
 
 Definition check_pairs (c : pairs T) : bool :=
-  match in_order (first c) (first_order c), in_order (second c) (second_order c) with
+  match in_order (corners (first c)) (faces (first c)) (first_order c), in_order (corners (second c)) (faces (second c)) (second_order c) with
   | Some xs, Some ys => walk [(xs, ys)] (steps c) (contacts c)
   | _, _ => false
   end.
@@ -158,13 +158,6 @@ Proof.
   destruct (f x) as [y|] eqn:F; [|discriminate]. destruct (all_some (map f xs)) as [zs|]; [|discriminate].
   intros [= <-]. cbn [map]. now rewrite (K x y F), (IH zs eq_refl).
 Qed.
-Lemma named_sound k (order : list positive) :
-  PositiveMap.mem k (fold_right (fun k => PositiveMap.add k tt) (PositiveMap.empty unit) order) = true -> In k order.
-Proof.
-  rewrite PositiveMap.mem_find. induction order as [|j order IH]; cbn [fold_right]; [rewrite PositiveMap.gempty; discriminate|].
-  destruct (Pos.eq_dec k j) as [->|N]; [now left|]. rewrite PositiveMap.gso by exact N. intros F. right. now apply IH.
-Qed.
-
 (* Lists in which nothing is twice. *)
 Lemma nodup_app {X} (a b : list X) : NoDup (a ++ b) <-> NoDup a /\ NoDup b /\ forall x, In x a -> ~ In x b.
 Proof.
@@ -190,16 +183,15 @@ Proof.
 Qed.
 (* As many different numbers as numbers: none is there twice. *)
 Lemma named_nodup (order : list positive) :
-  (length order <= PositiveMap.cardinal (fold_right (fun k => PositiveMap.add k tt) (PositiveMap.empty unit) order))%nat -> NoDup order.
+  (length order <= PositiveMap.cardinal (set_of order))%nat -> NoDup order.
 Proof.
-  set (named := fold_right (fun k => PositiveMap.add k tt) (PositiveMap.empty unit) order). rewrite PositiveMap.cardinal_1. intros L.
-  apply (NoDup_incl_NoDup (l := map fst (PositiveMap.elements named))).
-  - clear L. pose proof (PositiveMap.elements_3w named) as N. induction N as [|[k []] es N _ IH]; [constructor|].
+  rewrite PositiveMap.cardinal_1. intros L. apply (NoDup_incl_NoDup (l := map fst (PositiveMap.elements (set_of order)))).
+  - clear L. pose proof (PositiveMap.elements_3w (set_of order)) as N. induction N as [|[k []] es N _ IH]; [constructor|].
     cbn [map fst]. constructor; [|exact IH]. intros I. apply N. apply in_map_iff in I as ([j []] & E & I). cbn in E. subst j.
     apply InA_alt. exists (k, tt). now split.
   - now rewrite map_length.
   - intros k I. apply in_map_iff in I as ([j []] & E & I). cbn in E. subst j. apply PositiveMap.elements_complete in I.
-    apply named_sound. fold named. now rewrite PositiveMap.mem_find, I.
+    apply set_of_sound. now rewrite PositiveMap.mem_find, I.
 Qed.
 (* k different numbers, none above k, are all of 1 to k. *)
 Lemma order_is_all (order : list positive) k : NoDup order -> length order = k ->
@@ -231,7 +223,7 @@ Proof.
   destruct (nth_error (corners b) (Pos.to_nat l - 1)); reflexivity.
 Qed.
 (* The list has all triangles of the body, each once. *)
-Lemma in_order_sound (b : body T) order fs : in_order b order = Some fs ->
+Lemma in_order_sound (b : body T) order fs : in_order (corners b) (faces b) order = Some fs ->
   (forall k, face_at b k <> None -> triangle_at b k <> None) /\ NoDup (map fst fs) /\
   forall k ps, In (k, ps) fs <-> triangle_at b k = Some ps.
 Proof.
@@ -359,8 +351,8 @@ Qed.
 
 Lemma check_pairs_sound (c : pairs T) : check_pairs c = true -> pairs_claim (pairs_map value c).
 Proof.
-  unfold check_pairs. destruct (in_order (first c) (first_order c)) as [xs|] eqn:X; [|discriminate].
-  destruct (in_order (second c) (second_order c)) as [ys|] eqn:Y; [|discriminate]. intros W.
+  unfold check_pairs. destruct (in_order _ _ (first_order c)) as [xs|] eqn:X; [|discriminate].
+  destruct (in_order _ _ (second_order c)) as [ys|] eqn:Y; [|discriminate]. intros W.
   apply in_order_sound in X as (CX & NX & X). apply in_order_sound in Y as (CY & NY & Y).
   assert (H : forall b : body T, (forall k, face_at b k <> None -> triangle_at b k <> None) -> has_all_corners (body_map value b)).
   { intros b C k F. rewrite triangle_at_map. apply C in F. destruct (triangle_at b k); [discriminate|contradiction]. }

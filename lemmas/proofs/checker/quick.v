@@ -2,9 +2,9 @@
 (* The checker of pairs made quicker, which is what is extracted: it accepts nothing that the plain one over exact numbers would not.
    Most corners are so far from a plane that their coordinates, rounded down to multiples of 2^-40, tell their side. The others are
    looked at exactly. Fractions are not brought to lowest terms, which takes longer than what it saves. *)
-From Coq Require Import List Reals Lra Lia ZArith QArith Qreals Bool.
+From Coq Require Import List Reals Lra Lia ZArith QArith Qreals Bool FMapPositive.
 Require Import Refitlab.theory.linear Refitlab.checker.certificate Refitlab.checker.check Refitlab.checker.exact.
-Require Import Refitlab.checker.sound Refitlab.checker.pairs Refitlab.checker.numbers.
+Require Import Refitlab.checker.sound Refitlab.checker.against Refitlab.checker.pairs Refitlab.checker.numbers.
 Import ListNotations.
 
 (* --- Fractions in any terms --- *)
@@ -59,17 +59,20 @@ Definition surely_before (plane : quick_plane) (p : spot) : bool := let '(_, _, 
 Definition surely_behind (plane : quick_plane) (p : spot) : bool := let '(_, _, _, _, high) := plane in negb (along plane p <=? high)%Z.
 
 Notation facet := (positive * list (vec number))%type.
-Notation quick_facet := (positive * list (vec number) * list spot)%type.
-Definition prepared (f : facet) : quick_facet := (f, map spot_of (snd f)).
+(* A corner with its spot, which is found once for all triangles that have the corner. *)
+Notation quick_facet := (positive * list (vec number * spot))%type.
+Definition with_spot (p : vec number) : vec number * spot := (p, spot_of p).
+Definition prepared (f : facet) : quick_facet := (fst f, map with_spot (snd f)).
+Definition plain (f : quick_facet) : facet := (fst f, map fst (snd f)).
 
-Definition all_spots (quick : spot -> bool) (exact : vec number -> bool) (set : list quick_facet) : bool :=
-  forallb (fun f => if forallb quick (snd f) then true else forallb exact (snd (fst f))) set.
 Definition check_quick_plane (normal : vec number) (offset : number) (before behind : list quick_facet) : bool :=
   match quick_plane_of normal offset with
   | Some plane =>
-      all_spots (surely_before plane) (fun p => ltb (n := num_any) (vdot (o := @num_ops _ num_any) normal p) offset) before
-      && all_spots (surely_behind plane) (fun p => ltb (n := num_any) offset (vdot (o := @num_ops _ num_any) normal p)) behind
-  | None => check_plane (n := num_any) normal offset (map fst before) (map fst behind)
+      all_corners (fun c => if surely_before plane (snd c) then true
+                            else ltb (n := num_any) (vdot (o := @num_ops _ num_any) normal (fst c)) offset) before
+      && all_corners (fun c => if surely_behind plane (snd c) then true
+                               else ltb (n := num_any) offset (vdot (o := @num_ops _ num_any) normal (fst c))) behind
+  | None => check_plane (n := num_any) normal offset (map plain before) (map plain behind)
   end.
 
 (* As walk. *)
@@ -80,12 +83,14 @@ Fixpoint quick_walk (todo : list (list quick_facet * list quick_facet)) (ss : li
   | Halve_first :: ss', (xs, ys) :: rest => let h := halves xs in quick_walk ((fst h, ys) :: (snd h, ys) :: rest) ss' cs
   | Halve_second :: ss', (xs, ys) :: rest => let h := halves ys in quick_walk ((xs, fst h) :: (xs, snd h) :: rest) ss' cs
   | Touch :: ss', ([a], [b]) :: rest =>
-      match cs with c :: cs' => check_contact (n := num_any) (fst a) (fst b) c && quick_walk rest ss' cs' | [] => false end
+      match cs with c :: cs' => check_contact (n := num_any) (plain a) (plain b) c && quick_walk rest ss' cs' | [] => false end
   | _, _ => false
   end.
+Definition quick_in_order (b : body number) (order : list positive) : option (list quick_facet) :=
+  in_order (map with_spot (corners b)) (faces b) order.
 Definition check_pairs_quickly (c : pairs number) : bool :=
-  match in_order (first c) (first_order c), in_order (second c) (second_order c) with
-  | Some xs, Some ys => quick_walk [(map prepared xs, map prepared ys)] (steps c) (contacts c)
+  match quick_in_order (first c) (first_order c), quick_in_order (second c) (second_order c) with
+  | Some xs, Some ys => quick_walk [(xs, ys)] (steps c) (contacts c)
   | _, _ => false
   end.
 
@@ -188,22 +193,23 @@ Proof.
     rewrite !plus_IZR in F. apply Rmult_lt_reg_r with (power2 s * power2 places); [exact P|]. lra.
 Qed.
 
-Lemma all_spots_sound quick exact set : (forall p, quick (spot_of p) = true -> exact p = true) ->
-  all_spots quick exact (map prepared set) = true -> all_corners exact set = true.
+Lemma quick_corners_sound quick exact set : (forall p, quick (spot_of p) = true -> exact p = true) ->
+  all_corners (fun c => if quick (snd c) then true else exact (fst c)) (map prepared set) = true -> all_corners exact set = true.
 Proof.
-  intros S. unfold all_spots, all_corners. rewrite !forallb_forall. intros A f I.
-  specialize (A (prepared f) (in_map prepared set f I)). cbn [prepared fst snd] in A.
-  destruct (forallb quick (map spot_of (snd f))) eqn:Q; [|exact A].
-  rewrite forallb_forall in Q. apply forallb_forall. intros p J. apply S, Q, in_map, J.
+  intros S. unfold all_corners. rewrite !forallb_forall. intros A f I. specialize (A (prepared f) (in_map prepared set f I)).
+  rewrite forallb_forall in A. apply forallb_forall. intros p J. specialize (A (with_spot p) (in_map with_spot (snd f) p J)).
+  cbn [with_spot fst snd] in A. destruct (quick (spot_of p)) eqn:Q; [now apply S|exact A].
 Qed.
-Lemma strip_prepared set : map fst (map prepared set) = set.
-Proof. rewrite map_map. apply map_id. Qed.
+Lemma plain_prepared f : plain (prepared f) = f.
+Proof. destruct f as [k ps]. unfold plain, prepared. cbn [fst snd]. f_equal. rewrite map_map. apply map_id. Qed.
+Lemma all_plain_prepared set : map plain (map prepared set) = set.
+Proof. rewrite map_map, (map_ext _ (fun f => f)) by exact plain_prepared. apply map_id. Qed.
 Lemma check_quick_plane_sound normal offset xs ys :
   check_quick_plane normal offset (map prepared xs) (map prepared ys) = true -> check_plane (n := num_any) normal offset xs ys = true.
 Proof.
-  unfold check_quick_plane. destruct (quick_plane_of normal offset) as [plane|] eqn:P; [|now rewrite !strip_prepared].
+  unfold check_quick_plane. destruct (quick_plane_of normal offset) as [plane|] eqn:P; [|now rewrite !all_plain_prepared].
   rewrite andb_true_iff. intros [A B]. unfold check_plane. rewrite andb_true_iff.
-  split; [refine (all_spots_sound _ _ _ _ A)|refine (all_spots_sound _ _ _ _ B)]; intros p Q; apply ltb_correct; rewrite vdot_correct;
+  split; [refine (quick_corners_sound _ _ _ _ A)|refine (quick_corners_sound _ _ _ _ B)]; intros p Q; apply ltb_correct; rewrite vdot_correct;
     now apply (quick_plane_bounds normal offset plane p P).
 Qed.
 
@@ -218,14 +224,29 @@ Proof.
   - rewrite halves_prepared. cbn [fst snd]. intros A. now apply IH.
   - rewrite halves_prepared. cbn [fst snd]. intros A. now apply IH.
   - destruct xs as [|a [|? ?]]; try discriminate. destruct ys as [|b [|? ?]]; try discriminate. cbn [map].
-    destruct cs as [|c cs]; [discriminate|]. rewrite !andb_true_iff. cbn [prepared fst]. intros [A B]. split; [exact A|now apply IH].
+    destruct cs as [|c cs]; [discriminate|]. rewrite !andb_true_iff, !plain_prepared. intros [A B]. split; [exact A|now apply IH].
+Qed.
+
+(* The order of corners that have spots is that of corners. *)
+Lemma table_of_map {X Y} (f : X -> Y) xs k : PositiveMap.find k (numbered (map f xs)) = option_map f (PositiveMap.find k (numbered xs)).
+Proof. rewrite !numbered_is. apply nth_error_map. Qed.
+Lemma quick_in_order_is b order : quick_in_order b order = option_map (map prepared) (in_order (corners b) (faces b) order).
+Proof.
+  unfold quick_in_order, in_order. destruct (_ && _); [|reflexivity].
+  induction order as [|k order IH]; cbn [map all_some option_map]; [reflexivity|]. rewrite IH.
+  generalize (all_some (map (find_facet (numbered (corners b)) (numbered (faces b))) order)) as rest. intros rest. unfold find_facet.
+  destruct (PositiveMap.find k (numbered (faces b))) as [[[i j] l]|]; [|reflexivity]. rewrite !table_of_map.
+  destruct (PositiveMap.find i (numbered (corners b))); [|reflexivity]. destruct (PositiveMap.find j (numbered (corners b))); [|reflexivity].
+  destruct (PositiveMap.find l (numbered (corners b))); [|reflexivity]. cbn [option_map].
+  now destruct rest.
 Qed.
 
 Theorem quick_pairs_checker_is_sound_holds : quick_pairs_checker_is_sound.
 Proof.
   intros c Q. apply (check_pairs_sound (n := num_any) real (ex := exact_any)). unfold check_pairs, check_pairs_quickly in *.
-  destruct (in_order (first c) (first_order c)) as [xs|]; [|discriminate].
-  destruct (in_order (second c) (second_order c)) as [ys|]; [|discriminate].
+  rewrite !quick_in_order_is in Q.
+  destruct (in_order _ _ (first_order c)) as [xs|]; [|discriminate].
+  destruct (in_order _ _ (second_order c)) as [ys|]; [|discriminate].
   exact (quick_walk_sound (steps c) [(xs, ys)] (contacts c) Q).
 Qed.
 
