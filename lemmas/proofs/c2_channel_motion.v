@@ -10,6 +10,10 @@ Definition linear_channel {E} `{Euclid E} (a b : E) (T t : R) := line (fun _ => 
 (* By de Casteljau's algorithm. *)
 Definition quadratic {E} `{Euclid E} (p q r : E) (T t : R) := line (linear_channel p q T) (linear_channel q r T) T t.
 Definition cubic_channel {E} `{Euclid E} (p q r s : E) (T t : R) := line (quadratic p q r T) (quadratic q r s T) T t.
+(* A spline by its keys and its tangents, which are per unit of time: out of the first key, and into the second. *)
+Definition spline {E} `{Euclid E} (a out into b : E) (T t : R) := let s := t / T in
+  ((2 * s * s * s - 3 * s * s + 1) *: a + (T * (s * s * s - 2 * s * s + s)) *: out +
+   (3 * s * s - 2 * s * s * s) *: b + (T * (s * s * s - s * s)) *: into)%V.
 (* From a to b, whose angle is theta. *)
 Definition slerp {E} `{Euclid E} (a b : E) (theta T t : R) :=
   ((sin (theta - t / T * theta) / sin theta) *: a + (sin (t / T * theta) / sin theta) *: b)%V.
@@ -29,6 +33,8 @@ Definition cubic_moves : Prop := forall E (l : Lin R E) (H : Euclid E) (p q r s 
   Forall (fun x => norm ((3 / T) *: x) <= v) [q - p; r - q; s - r]%V ->
   Forall (fun x => norm ((6 / (T * T)) *: x) <= a) [p - 2 *: q + r; q - 2 *: r + s]%V ->
   moves (cubic_channel p q r s T) (Motion n v a) 0 T.
+Definition spline_is_cubic : Prop := forall E (l : Lin R E) (H : Euclid E) (a out into b : E) (T t : R), T <> 0 ->
+  spline a out into b T t = cubic_channel a (a + (T / 3) *: out)%V (b - (T / 3) *: into)%V b T t.
 (* A slerp is on a circle of radius 1, at a constant speed, from a to b. *)
 Definition slerp_moves : Prop := forall E (l : Lin R E) (H : Euclid E) (a b : E) (theta T : R), 0 < T -> 0 < theta < PI ->
   norm2 a = 1 -> norm2 b = 1 -> dot a b = cos theta ->
@@ -37,6 +43,10 @@ Definition slerp_moves : Prop := forall E (l : Lin R E) (H : Euclid E) (a b : E)
 Definition angle_is_bounded : Prop := forall E (l : Lin R E) (H : Euclid E) (a b : E) (theta : R), 0 <= theta < PI ->
   norm2 a = 1 -> norm2 b = 1 -> dot a b = cos theta ->
   norm (b - a) / norm (b + a) = tan (theta / 2) /\ theta <= angle_by_half_tangent (norm (b - a) / norm (b + a)).
+(* The shorter way goes to b or -b, and by at most a right angle, where the bound is little too great. *)
+Definition shorter_way : Prop := forall E (l : Lin R E) (H : Euclid E) (a b : E), norm2 a = 1 -> norm2 b = 1 ->
+  (0 <= dot a b \/ 0 <= dot a (lscale (-1) b)) /\ forall theta, 0 <= theta < PI -> dot a b = cos theta -> 0 <= dot a b ->
+  theta <= PI / 2 /\ angle_by_half_tangent (norm (b - a) / norm (b + a)) <= 101 / 100 * theta.
 
 (* --- Proofs: linear and cubic channels --- *)
 
@@ -104,6 +114,11 @@ Proof.
   split; [apply cubic_derivative|]. split.
   - eapply derivative_same; [reflexivity| |apply quadratic_derivative]. intros t _. unfold linear_channel, line. vec_field. lra.
   - intros t I. cbn [size speed acceleration]. unfold cubic_channel, quadratic, linear_channel. split; [|split]; repeat apply line_norm; assumption.
+Qed.
+
+Theorem spline_is_cubic_holds : spline_is_cubic.
+Proof.
+  intros E l H a out into b T t P. unfold spline, cubic_channel, quadratic, linear_channel, line. cbv zeta beta. vec_field. exact P.
 Qed.
 
 (* --- Proofs: slerps --- *)
@@ -213,6 +228,33 @@ Proof.
   assert (T : norm (b - a) / norm (b + a) = tan (theta / 2)) by (rewrite M, P; unfold tan; field; lra).
   split; [exact T|]. rewrite T. unfold angle_by_half_tangent. rewrite !half_tangent_is by lra.
   pose proof (angle_below_tangent (theta / 2 / 2 / 2 / 2) ltac:(lra)). lra.
+Qed.
+
+Lemma tangent_of_little x : 0 <= x <= 1 / 8 -> tan x <= 101 / 100 * x.
+Proof.
+  intros X. assert (S : forall y, 0 <= y -> - y <= sin y <= y).
+  { intros y Y. pose proof (not_falling (fun y => y - sin y) (fun y => 1 - cos y) 0 y Y) as N.
+    pose proof (not_falling (fun y => y + sin y) (fun y => 1 + cos y) 0 y Y) as M. cbv beta in N, M. rewrite sin_0 in N, M.
+    assert (0 - 0 <= y - sin y).
+    { apply N; intros z _; [|pose proof (COS_bound z); lra].
+      apply (derivable_pt_lim_minus id sin); [apply derivable_pt_lim_id|apply derivable_pt_lim_sin]. }
+    assert (0 + 0 <= y + sin y).
+    { apply M; intros z _; [|pose proof (COS_bound z); lra].
+      apply (derivable_pt_lim_plus id sin); [apply derivable_pt_lim_id|apply derivable_pt_lim_sin]. }
+    lra. }
+  assert (C : 1 - x * x / 2 <= cos x).
+  { replace (cos x) with (1 - 2 * sin (x / 2) * sin (x / 2)) by (rewrite <- cos_2a_sin; f_equal; field).
+    pose proof (S (x / 2) ltac:(lra)). nra. }
+  assert (P : 127 / 128 <= cos x) by nra. pose proof (S x ltac:(lra)) as T. unfold tan, Rdiv.
+  apply Rmult_le_reg_r with (cos x); [lra|]. rewrite Rmult_assoc, Rinv_l by lra. nra.
+Qed.
+Theorem shorter_way_holds : shorter_way.
+Proof.
+  intros E l H a b A B. split; [rewrite dot_scale_r; lra|]. intros theta T D O.
+  assert (R : theta <= PI / 2).
+  { apply Rnot_lt_le. intros G. pose proof (cos_lt_0 theta ltac:(lra) ltac:(lra)). lra. }
+  split; [exact R|]. destruct (angle_is_bounded_holds E l H a b theta T A B D) as [-> _]. unfold angle_by_half_tangent.
+  rewrite !half_tangent_is by lra. pose proof (tangent_of_little (theta / 2 / 2 / 2 / 2)) as G. pose proof PI_4. lra.
 Qed.
 
 (* The hypotheses can be met: a quarter of a turn. *)

@@ -30,6 +30,9 @@ Definition spherical_moves : Prop := forall (turns : list (R -> quat R)) (images
   0 < m -> (forall t, a <= t <= b -> m <= norm (comb w (at_moment t turns))) -> norm (v - center) <= d ->
   moves (fun t => skin_spherical (at_moment t turns) (at_moment t images) center w v)
     (sum_of_motions (product_of_motions (product_of_motions (Motion 1 L A) (inverse_motion L A m)) (at_rest d)) of_images) a b.
+(* Where nothing is known of how long the blend is, a vertex is as far from the hull of the center's images as from the center. *)
+Definition spherical_near_images : Prop := forall (qs : list (quat R)) (images : list (vec R)) w center v, convex (length images) w ->
+  comb w qs <> lzero -> exists y, in_hull images y /\ norm (skin_spherical qs images center w v - y) = norm (v - center).
 (* What a chain's joint turns by; a sign that skinning gives it is that of the bind pose's quaternion. *)
 Definition turn_of (j : chained) (t : R) : quat R := qmul (turn_of_chain (links j) t) (rotation (bind j)).
 Definition turns_by_chain (wide : motion) (j : chained) :=
@@ -182,6 +185,13 @@ Proof.
     rewrite (rotate_unit q) by exact N. rewrite rotate_unit by (rewrite norm2_qmul, V, N; ring).
     replace (turned (qmul (turn k t) q) v (qmul (turn k t) q)) with (turned (turn k t) (turned q v q) (turn k t)) by vring.
     generalize (turned q v q) (fold_right (fun k y => posed k y t) (quaternion.translation (bind j)) ks) (turn k t) (translation k t). vring.
+Qed.
+
+Theorem spherical_near_images_holds : spherical_near_images.
+Proof.
+  intros qs images w center v W N. exists (comb w images). split; [now exists w|]. unfold skin_spherical.
+  replace (rotate (comb w qs) (v - center) + comb w images - comb w images)%V with (rotate (comb w qs) (v - center)) by vec_ring.
+  now apply rotate_norm.
 Qed.
 
 (* E_k = (x_k - f) q_k. *)
