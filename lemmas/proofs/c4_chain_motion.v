@@ -33,6 +33,8 @@ Definition compose (outer inner : chain_motion) := ChainMotion (product_of_motio
 Definition chain (motions : list link_motion) := fold_left (fun c m => compose c (chain_of m)) motions no_links.
 Definition carried_motion (c : chain_motion) (point : motion) := sum_of_motions (product_of_motions (linear_part c) point) (offset c).
 Definition image (links : list link) (x : R -> vec R) (t : R) := fold_right (fun k y => posed k y t) (x t) links.
+Definition linear_image (links : list link) (x : R -> vec R) (t : R) :=
+  fold_right (fun k y => turned (turn k t) (scaled (scale k t) y) (turn k t)) (x t) links.
 Definition turn_of_chain (links : list link) (t : R) := fold_right (fun k q => qmul (turn k t) q) (Quat 1 0 0 0) links.
 
 (* --- Statements --- *)
@@ -66,6 +68,19 @@ Definition curves_add : Prop := forall X (lx : Lin R X) (ex : Euclid X) (f g : R
 Definition chain_moves : Prop := forall links motions (x : R -> vec R) (point : motion) (a b : R),
   Forall2 (link_moves a b) links motions -> moves x point a b ->
   moves (image links x) (carried_motion (chain motions) point) a b /\ moves (turn_of_chain links) (of_rotation (chain motions)) a b.
+(* The same of A and b by themselves, for A x + b. *)
+Definition chain_parts_move : Prop := forall links motions (a b : R), Forall2 (link_moves a b) links motions ->
+  (forall (x : R -> vec R) point, moves x point a b ->
+    moves (linear_image links x) (product_of_motions (linear_part (chain motions)) point) a b) /\
+  moves (image links (fun _ => lzero)) (offset (chain motions)) a b /\
+  forall x t, image links x t = (linear_image links x t + image links (fun _ => lzero) t)%V.
+(* A hinge at a constant speed reaches them: its quaternion goes at h, and a point at the distance r of the axis at 2 h r. *)
+Definition hinge (h : R) := Link (fun t => Quat (cos (h * t)) (sin (h * t)) 0 0) (fun _ => Vec 0 0 0) (fun _ => Vec 1 1 1).
+Definition hinge_motion (h : R) := LinkMotion (Motion 1 h (h * h)) (at_rest 0) (at_rest 1).
+Definition hinge_reaches_bounds : Prop := forall h r a b : R, 0 <= h -> 0 <= r -> link_moves a b (hinge h) (hinge_motion h) /\
+  let bound := carried_motion (chain [hinge_motion h]) (at_rest r) in
+  exists f' f'', derivative (image [hinge h] (fun _ => Vec 0 r 0)) f' a b /\ derivative f' f'' a b /\
+  forall t, norm (image [hinge h] (fun _ => Vec 0 r 0) t) = size bound /\ norm (f' t) = speed bound /\ norm (f'' t) = acceleration bound.
 
 (* --- Proofs --- *)
 
@@ -239,6 +254,70 @@ Proof.
       destruct (chain motions), m. unfold carried_motion.
       cbn [compose chain_of linear_part offset of_turn of_translation of_scale]. motions.
     + exact (curves_multiply_holds _ _ _ _ _ _ _ _ _ _ _ _ _ _ a b qmul_is_product quaternions_are_short_holds Q IHq).
+Qed.
+
+Theorem chain_parts_move_holds : chain_parts_move.
+Proof.
+  intros links motions a b F. split; [|split].
+  - intros x point X. induction F as [|k m links motions (Q & T & S) F IH].
+    + apply (moves_same x _ point); [reflexivity| |exact X]. unfold chain. cbn [fold_left no_links linear_part]. motions.
+    + rewrite chain_cons. pose proof (scaled_moves _ _ _ _ a b S IH) as Y. pose proof (turned_moves _ _ _ _ _ _ a b Q Q Y) as Z.
+      eapply moves_same; [| |exact Z]; [reflexivity|]. destruct (chain motions), m.
+      cbn [compose chain_of linear_part of_turn of_scale]. motions.
+  - destruct (chain_moves_holds links motions (fun _ => lzero) (at_rest 0) a b F) as [M _].
+    { apply constant_moves. rewrite norm_zero. lra. }
+    eapply moves_same; [| |exact M]; [reflexivity|]. unfold carried_motion. destruct (chain motions). cbn [linear_part offset]. motions.
+  - intros x t. clear F. induction links as [|k links IH]; cbn [image linear_image fold_right]; [vec_ring|].
+    fold (image links x t) (linear_image links x t) (image links (fun _ => lzero) t). rewrite IH. unfold posed, scaled.
+    generalize (turn k t) (scale k t) (translation k t) (linear_image links x t) (image links (fun _ => lzero) t). vring.
+Qed.
+
+(* A circle's derivatives are circles. *)
+Lemma second_circle_derivative {E} `{Euclid E} (x y : E) k a b :
+  derivative (fun t => k *: circle y (-1 *: x) k t)%V (fun t => (k * k * -1) *: circle x y k t)%V a b.
+Proof.
+  eapply derivative_same; [reflexivity| |apply (derivative_map (fun z => (k *: z)%V)); [apply scaling_has_adjoint|apply circle_derivative]].
+  intros t _. unfold circle. vec_ring.
+Qed.
+Theorem hinge_reaches_bounds_holds : hinge_reaches_bounds.
+Proof.
+  intros h r a b Ph Pr. split.
+  - split; [|split]; cbn [hinge hinge_motion turn translation scale of_turn of_translation of_scale].
+    + pose (x := Quat 1 0 0 0). pose (y := Quat 0 1 0 0).
+      assert (N : forall u v : quat R, norm2 u = 1 -> norm2 v = 1 -> dot u v = 0 -> forall t, norm (circle u v h t) = 1).
+      { intros u v U V O t. apply norm_unit. now apply circle_norm2. }
+      apply (moves_same (circle x y h) _ (Motion 1 h (h * h))); [|reflexivity|].
+      * intros t. unfold circle, x, y. vunfold. f_equal; ring.
+      * exists (fun t => h *: circle y (-1 *: x) h t)%V, (fun t => (h * h * -1) *: circle x y h t)%V.
+        split; [apply circle_derivative|]. split; [apply second_circle_derivative|]. intros t _. cbn [size speed acceleration].
+        assert (Ny : norm2 (-1 *: x)%V = 1 /\ dot y (-1 *: x)%V = 0) by (unfold x, y; vunfold; split; ring).
+        split; [|split].
+        -- right. apply N; unfold x, y; vunfold; ring.
+        -- rewrite norm_scale by exact Ph. rewrite N; [lra|unfold y; vunfold; ring|apply Ny|apply Ny].
+        -- replace (h * h * -1) with (- (h * h)) by ring. rewrite norm_scale_abs, Rabs_Ropp, Rabs_pos_eq by nra.
+           rewrite N; [lra| | |]; unfold x, y; vunfold; ring.
+    + apply constant_moves, norm_le. vunfold. lra.
+    + exists (fun _ => lzero), (fun _ => lzero). split; [apply derivative_constant|]. split; [apply derivative_constant|].
+      intros t _. unfold factors_within. vunfold. cbn [size speed acceleration at_rest]. rewrite Rabs_R0, Rabs_pos_eq; lra.
+  - cbv zeta.
+    pose (x := Vec 0 1 0). pose (y := Vec 0 0 1). exists (fun t => r *: (2 * h *: circle y (-1 *: x) (2 * h) t))%V,
+      (fun t => r *: ((2 * h * (2 * h) * -1) *: circle x y (2 * h) t))%V.
+    assert (N : forall u v : vec R, norm2 u = 1 -> norm2 v = 1 -> dot u v = 0 -> forall t, norm (circle u v (2 * h) t) = 1).
+    { intros u v U V O t. apply norm_unit. now apply circle_norm2. }
+    assert (Ny : norm2 (-1 *: x)%V = 1 /\ dot y (-1 *: x)%V = 0) by (unfold x, y; vunfold; split; ring).
+    assert (I : forall t, image [hinge h] (fun _ => Vec 0 r 0) t = (r *: circle x y (2 * h) t)%V).
+    { intros t. cbn [image fold_right]. unfold posed, scaled, circle, x, y. cbn [hinge turn translation scale].
+      replace (2 * h * t) with (2 * (h * t)) by ring. rewrite cos_2a, sin_2a. generalize (cos (h * t)) (sin (h * t)). intros c s.
+      vunfold. f_equal; ring. }
+    split; [|split].
+    + eapply derivative_same; [intros t; symmetry; apply I|intros; reflexivity|].
+      apply (derivative_map (fun z => (r *: z)%V)); [apply scaling_has_adjoint|apply circle_derivative].
+    + apply (derivative_map (fun z => (r *: z)%V)); [apply scaling_has_adjoint|apply second_circle_derivative].
+    + intros t. rewrite I. unfold chain, carried_motion, hinge_motion, no_links, chain_of, compose, product_of_motions, sum_of_motions, at_rest.
+      cbn [fold_left linear_part offset of_rotation of_turn of_translation of_scale size speed acceleration].
+      rewrite !norm_scale by lra. replace (2 * h * (2 * h) * -1) with (- (2 * h * (2 * h))) by ring.
+      rewrite norm_scale_abs, Rabs_Ropp, Rabs_pos_eq by nra.
+      rewrite !N; try apply Ny; unfold x, y; try (vunfold; ring). split; [|split]; ring.
 Qed.
 
 (* The hypotheses can be met: a link that is at rest, twice as long, and a point in it. *)

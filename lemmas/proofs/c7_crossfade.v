@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: MIT *)
-(* How a joint moves in a crossfade of two clips: translations, scales, and rotations that are blended and normalised. (A slerp in the
-   weight, for a known angle, is `slerp_moves` of c2_channel_motion with T = 1.) *)
+(* How a joint moves in a crossfade of two clips: translations, scales, and rotations that are blended and normalised, or blended by slerp in
+   the weight. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.curve.
 Require Import Refitlab.c2_channel_motion Refitlab.c3_normalized_motion Refitlab.c4_chain_motion.
@@ -28,6 +28,10 @@ Definition nlerp_moves : Prop := forall (p q : quat R) (c : R),
 Definition nlerp_moves_by_time : Prop := forall (p : R -> quat R) (q : quat R) (s L A c w share a b : R), moves p (Motion s L A) a b ->
   (forall t, a <= t <= b -> norm2 (p t) = 1 /\ c <= dot (p t) q) -> norm2 q = 1 -> -1 < c <= 1 -> 0 <= w <= 1 -> 1 - w <= share ->
   moves (fun t => normalized (faded (p t) q w)) (normalized_motion (share * L) (share * A) (sqrt ((1 + c) / 2))) a b.
+(* (iii) and (iv), in the weight: the angle of p and q is beta, and theta is that of a bound of its cosine. *)
+Definition slerp_fades_by_weight : Prop := forall E (l : Lin R E) (H : Euclid E) (p q : E) (beta theta : R), 0 < beta < PI -> 0 <= theta <= PI ->
+  norm2 p = 1 -> norm2 q = 1 -> dot p q = cos beta -> cos theta <= dot p q ->
+  moves (slerp p q beta 1) (Motion 1 theta (theta * theta)) 0 1.
 
 (* --- Proofs --- *)
 
@@ -67,6 +71,15 @@ Proof.
     pose proof (Rle_0_sqr (w - 1 / 2)) as S. unfold Rsqr in S. nra.
 Qed.
 
+Theorem slerp_fades_by_weight_holds : slerp_fades_by_weight.
+Proof.
+  intros E l H p q beta theta B T P Q D C. destruct (slerp_moves_holds E l H p q beta 1 ltac:(lra) B P Q D) as (M & _).
+  assert (A : beta <= theta).
+  { apply Rnot_lt_le. intros G. pose proof (cos_decreasing_1 theta beta ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) G). lra. }
+  apply (moves_wider _ _ _ 0 1) with (2 := M). unfold is_wider. cbn [size speed acceleration]. unfold Rdiv. rewrite !Rmult_1_r, Rinv_1.
+  split; [lra|]. split; [lra|]. rewrite Rmult_1_r. apply Rmult_le_compat; lra.
+Qed.
+
 Theorem nlerp_moves_holds : nlerp_moves.
 Proof.
   intros p q c P Q D C. assert (G : norm (q - p) <= sqrt (2 - 2 * c)).
@@ -89,3 +102,6 @@ Qed.
 Example crossfade_instance : norm2 (Quat 1 0 0 0) = 1 /\ norm2 (Quat 0 1 0 0) = 1 /\ 0 <= dot (Quat 1 0 0 0) (Quat 0 1 0 0) /\
   moves (fun _ => Quat 1 0 0 0) (at_rest 1) 0 1.
 Proof. repeat split; try (vunfold; lra). apply constant_moves, norm_le. vunfold. lra. Qed.
+Example slerp_fade_instance : 0 < PI / 2 < PI /\ 0 <= PI / 2 <= PI /\ dot (Quat 1 0 0 0) (Quat 0 1 0 0) = cos (PI / 2) /\
+  cos (PI / 2) <= dot (Quat 1 0 0 0) (Quat 0 1 0 0).
+Proof. pose proof PI_RGT_0. rewrite cos_PI2. repeat split; try lra; vunfold; lra. Qed.

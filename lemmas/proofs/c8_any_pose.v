@@ -2,6 +2,7 @@
 (* Where a point below a chain of joints can be in any pose, from lengths and scales alone. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
+Require Import Refitlab.b7_motion_bound.
 Import ListNotations.
 
 (* y -> t + R (s y), and how long t is and how much s stretches at most. *)
@@ -19,6 +20,11 @@ Definition reach (ranges : list range) (d : R) := fold_right (fun r d => stretch
 
 Definition stays_in_reach : Prop := forall links ranges x d,
   Forall2 is_in_range links ranges -> norm x <= d -> norm (image links x) <= reach ranges d.
+(* Stretched out at its greatest scales, the chain reaches it. *)
+Definition stretched_out (r : range) := Link (Quat 1 0 0 0) (Vec (length_ r) 0 0) (Vec (stretch r) (stretch r) (stretch r)).
+Definition chain_reaches : Prop := forall ranges d, 0 <= d -> Forall (fun r => 0 <= length_ r /\ 0 <= stretch r) ranges ->
+  Forall2 is_in_range (map stretched_out ranges) ranges /\ norm (Vec d 0 0) = d /\
+  norm (image (map stretched_out ranges) (Vec d 0 0)) = reach ranges d.
 
 (* (i): two chains with the first links in common. *)
 Definition stays_near : Prop := forall common rs links ranges others other_ranges x y d e,
@@ -31,6 +37,11 @@ Definition blend_stays_in_reach : Prop := forall w (images : list (vec R)) r, co
   Forall (fun x => norm x <= r) images -> norm (comb w images) <= r.
 Definition turned_stays_in_reach : Prop := forall qs images center w v r, comb w qs <> lzero -> convex (length images) w ->
   Forall (fun x => norm x <= r) images -> norm (skin_spherical qs images center w v) <= norm (v - center) + r.
+(* By dual quaternions, of rigid joints with dot products of 0 or more, whose images are at most so far apart, pair by pair. *)
+Definition dual_stays_in_reach : Prop := forall (cs : list rigid) u f r (apart : list R) A, are_within 0 cs -> convex (length cs) u ->
+  Forall (fun c => norm (apply_rigid c f) <= r) cs ->
+  Forall2 (fun p e => norm (apply_rigid (fst p) f - apply_rigid (snd p) f) <= e) (pairs cs) apart ->
+  0 <= A -> sum (map (fun e => e * e) apart) <= A * A -> norm (dual_blend cs u f) <= r + 3 / 4 * A.
 
 (* --- Proofs --- *)
 
@@ -74,6 +85,35 @@ Proof.
   apply Rplus_le_compat_l. now apply blend_stays_in_reach_holds.
 Qed.
 
+Theorem chain_reaches_holds : chain_reaches.
+Proof.
+  intros ranges d D F.
+  assert (N : forall x, 0 <= x -> norm (Vec x 0 0) = x) by (intros x X; apply norm_eq; [exact X|vunfold; ring]).
+  assert (G : Forall2 is_in_range (map stretched_out ranges) ranges /\ 0 <= reach ranges d /\
+    image (map stretched_out ranges) (Vec d 0 0) = Vec (reach ranges d) 0 0).
+  { induction F as [|r ranges [L S] F (IH & P & E)]; [repeat split; [constructor|exact D]|]. cbn [map reach image fold_right].
+    fold (reach ranges d) (image (map stretched_out ranges) (Vec d 0 0)). split; [|split].
+    - apply Forall2_cons; [|exact IH]. unfold is_in_range, stretched_out, factors_within. cbn [turn translation scale vx vy vz].
+      split; [apply norm2_pos_inv; vunfold; lra|]. split; [rewrite N; lra|]. repeat split; rewrite Rabs_pos_eq; lra.
+    - assert (0 <= stretch r * reach ranges d) by now apply Rmult_le_pos. lra.
+    - rewrite E. unfold posed, stretched_out, rotate, scaled. cbn [turn translation scale]. vunfold. f_equal; field. }
+  destruct G as (G & P & E). split; [exact G|]. split; [now apply N|]. rewrite E. now apply N.
+Qed.
+Theorem dual_stays_in_reach_holds : dual_stays_in_reach.
+Proof.
+  intros cs u f r apart A W C Rs P PA SA.
+  assert (Spread : squared_spread cs f <= sum (map (fun e => e * e) apart)).
+  { unfold squared_spread. induction P as [|p e ps apart Ne P IH]; [cbn; lra|]. cbn [total map]. rewrite sum_cons.
+    assert (SA' : 0 <= e * e) by nra. apply Rplus_le_compat; [|apply IH; rewrite map_cons, sum_cons in SA; lra].
+    rewrite <- norm_sq. pose proof (norm_nonneg (apply_rigid (fst p) f - apply_rigid (snd p) f)%V). nra. }
+  pose proof (deviates_little_holds cs 0 f u W C) as D.
+  assert (Off : norm (dual_blend cs u f - carried cs u f) <= 3 / 4 * A) by (apply norm_le; nra).
+  assert (In : norm (carried cs u f) <= r).
+  { apply blend_stays_in_reach_holds; [now rewrite map_length|]. now apply Forall_map. }
+  replace (dual_blend cs u f) with ((dual_blend cs u f - carried cs u f) + carried cs u f)%V by vec_ring.
+  pose proof (norm_add (dual_blend cs u f - carried cs u f)%V (carried cs u f)). lra.
+Qed.
+
 (* The hypotheses can be met, and the bound is reached: a bone of the length 1, twice as long. *)
 Example reach_instance : let k := Link (Quat 1 0 0 0) (Vec 1 0 0) (Vec 2 2 2) in
   is_in_range k (Range 1 2) /\ norm (Vec 1 0 0) <= 1 /\ reach [Range 1 2] 1 = 3 /\ norm (image [k] (Vec 1 0 0)) = 3.
@@ -95,4 +135,18 @@ Proof.
   - repeat split; [repeat constructor; lra|cbn; lra].
   - apply Forall_cons; [|constructor]. apply norm_le. vunfold. lra.
   - apply norm2_pos_inv. cbn. vunfold. lra.
+Qed.
+Example dual_instance : let c := Rigid (Quat 1 0 0 0) (Vec 1 0 0) in are_within 0 [c; c] /\ convex 2 [1 / 2; 1 / 2] /\
+  Forall (fun c => norm (apply_rigid c (Vec 0 0 0)) <= 1) [c; c] /\
+  Forall2 (fun p e => norm (apply_rigid (fst p) (Vec 0 0 0) - apply_rigid (snd p) (Vec 0 0 0)) <= e) (pairs [c; c]) [0] /\
+  sum (map (fun e => e * e) [0]) <= 0 * 0.
+Proof.
+  cbv zeta. assert (I : apply_rigid (Rigid (Quat 1 0 0 0) (Vec 1 0 0)) (Vec 0 0 0) = Vec 1 0 0).
+  { unfold apply_rigid, rotate. cbn [rotation quaternion.translation]. vunfold. f_equal; field. }
+  split; [|split; [|split; [|split]]].
+  - split; [lra|]. split; repeat constructor; cbn [fst snd rotation]; vunfold; lra.
+  - repeat split; [repeat constructor; lra|cbn; lra].
+  - apply Forall_cons; [|apply Forall_cons; [|constructor]]; rewrite I; apply norm_le; vunfold; lra.
+  - cbn [pairs map app]. apply Forall2_cons; [|constructor]. cbn [fst snd]. rewrite I. apply norm_le. vunfold. lra.
+  - cbn. lra.
 Qed.
