@@ -3,9 +3,12 @@
 
 #include <rapidcheck.h>
 
+#include <algorithm>
+#include <array>
 #include <random>
 #include <vector>
 
+#include "algorithms/runtime/collide/box_kernel.hpp"
 #include "algorithms/runtime/packs/pack.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/triangles_meet.hpp"
@@ -156,9 +159,45 @@ void what_is_decided_and_what_is_left_open(Suite& t) {
   });
 }
 
+// Puts the triangle behind the others and returns its places.
+std::array<std::uint16_t, 3> put(const TrianglePoints& triangle, std::vector<PaddedVertex>& vertices) {
+  std::array<std::uint16_t, 3> places;
+  for (int c = 0; c < 3; ++c) {
+    places[c] = static_cast<std::uint16_t>(vertices.size());
+    vertices.push_back({triangle[c][0], triangle[c][1], triangle[c][2], 0});
+  }
+  return places;
+}
+
+void kernels_answer_as_for_one_pair(Suite& t) {
+  t.example("on every target the kernel decides each pair of a list as one pair is, however many there are", {}, [] {
+    std::mt19937 random(2006);
+    long pairs = 0;
+    for (const Target target : available_targets())
+      for (int count = 0; count <= 40; ++count) {
+        std::vector<TrianglePoints> a, b;
+        std::vector<PaddedVertex> vertices_a, vertices_b;
+        std::vector<TrianglePairCandidate> candidates;
+        for (int p = 0; p < count; ++p) {
+          a.push_back(random_triangle(random, 1)), b.push_back(random_triangle(random, 1));
+          candidates.push_back({put(a[p], vertices_a), put(b[p], vertices_b), p, p});
+        }
+        std::shuffle(candidates.begin(), candidates.end(), random);
+        std::vector<Filtered> answers(static_cast<std::size_t>(count));
+        box_kernels(target).filter_pairs(vertices_a.data(), vertices_b.data(), candidates.data(), count, answers.data());
+        for (int k = 0; k < count; ++k, ++pairs) {
+          const Filtered one = filter_triangles(a[candidates[k].first], b[candidates[k].second]);
+          if (one == Filtered::unknown || answers[k] != one) return Checked(false, pairs, "a pair is decided in another way");
+        }
+      }
+    return Checked(pairs > 0, pairs);
+  });
+}
+
 }  // namespace
 
 PROPTEST(triangles_filter) {
+  kernels_answer_as_for_one_pair(t);
   decisions_are_those_of_exact_arithmetic(t);
   what_is_decided_and_what_is_left_open(t);
 }
