@@ -212,6 +212,23 @@ void assert_held(ClusterBody& body, const std::vector<Point3>& skinned, bool is_
   }
 }
 
+// Joints that make a character too small for the digits of float. They neither turn nor shear, so that boxes are as tight as can be.
+void check_tiny_boxes() {
+  auto plan = *gen::mesh_plan();
+  const SkinnedMesh mesh = gen::make_mesh(plan);
+  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  const Character c = bake(mesh, {.triangles_per_leaf = 1}, {Pieces::mixed});
+  const ClusterTree tree(c, {.most_triangles = 1, .most_children = 3});
+  ClusterBody body(tree, Skinning::linear);
+  for (const double unit : {1e-34, 1e-38, 1e-40, 1e-42, 1e-44, 1e-50}) {
+    AffineMap<double> map = identity_map<double>();
+    for (Point3& column : map.columns) column *= unit;
+    const AffinePose pose(mesh.joints.size(), map);
+    body.begin(pose, {});
+    assert_held(body, skin(mesh, c.sets, make_skinning_palette(mesh, c.sets, pose), Skinning::linear, {}), true);
+  }
+}
+
 // Two bodies of one mesh: their boxes have the vertices, and their pairs are those of all pairs. Linear skinning has affine joints;
 // other skinning has scales. These and morph targets are of the frame, or of characters made anew.
 void check_clusters() {
@@ -463,6 +480,8 @@ PROPTEST(affine_boxes) {
   t.holds("the batch's ball of a node that is beyond the range of float is all of space, also where joints shrink",
           {.number_type = "float", .cases = 200, .tags_at_least = {{"all of space", 0.5}, {"two joint-sets", 0.3}}},
           check_wide_batch);
+  t.holds("boxes in float hold characters that joints make smaller than float has digits for",
+          {.number_type = "double", .cases = 40}, check_tiny_boxes);
   t.holds("the motion bound of affine joints has all vertices",
           {.number_type = "double", .cases = 400, .degenerate_at_most = 0.5}, check_motion_bound);
   t.holds("the box of an image is as large as the smaller of those of the ball and of the box",
