@@ -353,6 +353,21 @@ void check_scales() {
   }
 }
 
+// Of joints that turn alike, whose blends are of unit length.
+Checked check_kappa_of_many() {
+  long cases = 0;
+  for (const int n : {1, 2, 64, 1000, 10000}) {
+    const std::vector<RigidTransform<double>> transforms(static_cast<std::size_t>(n), {{0.6, 0, 0.8, 0}, Vec<double, 3>::Zero()});
+    const std::vector<Vec<double, 3>> images(transforms.size(), Vec<double, 3>::Zero());
+    const Rational kappa = as_rational(measure_palette<double>(transforms, images).inverse_blend);
+    const Rational squared = squared_norm(convert<Rational>(transforms[0].rotation));
+    const Rational computed = Rational(1) - Rational(long(n)) * as_rational(u);
+    ++cases;
+    if (sq(kappa * computed) * squared < 1) return Checked(false, cases, std::to_string(n) + " joints");
+  }
+  return Checked(true, cases);
+}
+
 // Every sound variant of a kind of skinning, its ball taken as it stands.
 void check_no_miss(Skinning skinning) {
   const gen::RefitCase c = with_stretched_rotations(gen::rounded_to_double(*gen::refit_case(gen::Turns::any)));
@@ -444,6 +459,8 @@ PROPTEST(palette_rounding) {
   t.example("a measured radius is off by no more than it is raised", options, check_measured_radius);
   t.holds("the scales of a palette bound its lengths, its defects and all of its blends",
           {.number_type = "rational", .cases = 2000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, check_scales);
+  t.example("kappa is that of blends as computed, which are shorter by a rounding for each joint, of thousands of them", options,
+            check_kappa_of_many);
   t.example("a length bounded without a root is bounded, by at most 16 % more", options, check_upper_norm);
   t.example("every variant adds at least what its pieces ask for, and the reference balls have their vertices", {}, check_nodes);
   t.example("what a vertex loses depends on no radius, in any skinning", {}, [] {
