@@ -256,6 +256,12 @@ Proof.
     + exact (curves_multiply_holds _ _ _ _ _ _ _ _ _ _ _ _ _ _ a b qmul_is_product quaternions_are_short_holds Q IHq).
 Qed.
 
+Lemma image_is_affine ks x t : image ks x t = (linear_image ks x t + image ks (fun _ => lzero) t)%V.
+Proof.
+  induction ks as [|k ks IH]; cbn [image linear_image fold_right]; [vec_ring|].
+  fold (image ks x t) (linear_image ks x t) (image ks (fun _ => lzero) t). rewrite IH. unfold posed, scaled.
+  generalize (turn k t) (scale k t) (translation k t) (linear_image ks x t) (image ks (fun _ => lzero) t). vring.
+Qed.
 Theorem chain_parts_move_holds : chain_parts_move.
 Proof.
   intros links motions a b F. split; [|split].
@@ -267,9 +273,7 @@ Proof.
   - destruct (chain_moves_holds links motions (fun _ => lzero) (at_rest 0) a b F) as [M _].
     { apply constant_moves. rewrite norm_zero. lra. }
     eapply moves_same; [| |exact M]; [reflexivity|]. unfold carried_motion. destruct (chain motions). cbn [linear_part offset]. motions.
-  - intros x t. clear F. induction links as [|k links IH]; cbn [image linear_image fold_right]; [vec_ring|].
-    fold (image links x t) (linear_image links x t) (image links (fun _ => lzero) t). rewrite IH. unfold posed, scaled.
-    generalize (turn k t) (scale k t) (translation k t) (linear_image links x t) (image links (fun _ => lzero) t). vring.
+  - intros x t. apply image_is_affine.
 Qed.
 
 (* A circle's derivatives are circles. *)

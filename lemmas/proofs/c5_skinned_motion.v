@@ -281,13 +281,10 @@ Lemma image_of_shared shared ks x t : image (shared ++ ks) x t = carried shared 
 Proof. unfold image, carried. apply fold_right_app. Qed.
 Lemma carried_is_affine ks t : exists f : vec R -> vec R, linear f /\ forall y, carried ks t y = (f y + carried ks t lzero)%V.
 Proof.
-  induction ks as [|k ks (f & (Z & A & S) & E)].
-  - exists (fun y => y). split; [repeat split|]. intros y. cbn [carried fold_right]. vec_ring.
-  - exists (fun y => turned (turn k t) (scaled (scale k t) (f y)) (turn k t)). split.
-    + split; [rewrite Z; generalize (turn k t) (scale k t); unfold scaled; vring|]. split; [intros x y; rewrite A|intros a x; rewrite S];
-        generalize (turn k t) (scale k t); unfold scaled; [generalize (f x) (f y)|generalize (f x)]; vring.
-    + intros y. cbn [carried fold_right]. fold (carried ks t y) (carried ks t lzero). rewrite (E y). unfold posed, scaled.
-      generalize (turn k t) (scale k t) (f y) (carried ks t lzero) (translation k t). vring.
+  exists (fun y => linear_image ks (fun _ => y) t). split; [|intros y; exact (image_is_affine ks (fun _ => y) t)].
+  induction ks as [|k ks (Z & A & S)]; [repeat split|]. cbn [linear_image fold_right]. fold (linear_image ks).
+  split; [|split; [intros x y|intros a x]]; unfold linear_image in *; rewrite ?Z, ?A, ?S; generalize (turn k t) (scale k t); unfold scaled;
+    repeat match goal with |- context [fold_right ?g ?y ks] => generalize (fold_right g y ks) end; vring.
 Qed.
 Lemma carried_comb ks t (f : vec R -> vec R) w ys : convex (length ys) w -> linear f ->
   (forall y, carried ks t y = (f y + carried ks t lzero)%V) -> comb w (map (carried ks t) ys) = carried ks t (comb w ys).
