@@ -191,6 +191,10 @@ Checked check_linear() {
   // The factor of a joint is rounded up, and so by more than a blend of factors may lose.
   const double raised = (stretch_of(identity_map<double>()) - 1) / u_double - own;
   const Budget of_factor = root(sq(Budget(1, 0, 1 - 1e-9))) * radius;
+  // The blend of no joints adds nothing.
+  const auto vertex = rounding_affine(rounded_scales(0, 1, 0, 1, 1)).vertex;
+  budgets.add_up_to_a_unit("a vertex, per F |p|", of_point, vertex.per_length / u_double);
+  budgets.add_up_to_a_unit("a vertex, per |t|", of_offset, vertex.offset / u_double);
   budgets.add("per F r, with one more", rounding_affine(rounded_scales(0, 1, 0, 0, 1)).weight_vertices.per_radius / u_double - 1,
               stretched.in_u());
   for (const int n : numbers_of_joints) {

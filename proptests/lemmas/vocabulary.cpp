@@ -283,6 +283,29 @@ void weights_are_convex_within_bounds(Suite& t) {
       1000);
 }
 
+// Whether upper_norm() of the vector in S is at least its length, and at most 16 % more, in exact numbers.
+template <class S>
+bool is_upper_norm(const RationalVec<3>& v) {
+  const Vec<S, 3> x = lift<S>(v);
+  const Rational squared = squared_norm(convert<Rational>(x)), upper(static_cast<double>(upper_norm(x)));
+  return upper * upper >= squared && upper * upper <= squared * Rational(135, 100);
+}
+
+// Of equal coordinates, too, of which it is nearest to the length.
+Checked check_upper_norms() {
+  constexpr int most = 32;
+  long cases = 0;
+  for (int i = 1; i <= most; ++i)
+    for (int j = 0; j <= i; ++j)
+      for (int k = 0; k <= j; ++k) {
+        const RationalVec<3> v(Rational(k, 8), Rational(i, 8), Rational(-j, 8));
+        ++cases;
+        if (!is_upper_norm<float>(v) || !is_upper_norm<double>(v))
+          return Checked(false, cases, "(" + std::to_string(k) + ", " + std::to_string(i) + ", -" + std::to_string(j) + ") / 8");
+      }
+  return Checked(true, cases);
+}
+
 void vectors_compute_by_coordinates(Suite& t) {
   t.holds("combinations are sums, coordinate by coordinate", {.number_type = "rational", .cases = 300}, [] {
     const auto w = *rc::gen::container<std::vector<Rational>>(static_cast<std::size_t>(*rc::gen::inRange(1, 5)), gen::rational());
@@ -310,19 +333,14 @@ void vectors_compute_by_coordinates(Suite& t) {
     RC_ASSERT((norm<ExactRoot, 3>(lift<ExactRoot>(RationalVec<3>(square * 2, square * 3, square * 6))) ==
                lift<ExactRoot>(Rational(square < 0 ? -7 * square : 7 * square))));
   });
-  t.holds("a length without a root is at least the length, and at most 16 % more", {.number_type = "double", .cases = 2000}, [] {
-    const auto v = *rc::gen::oneOf(gen::nonzero_vector<3>(),
-                                   rc::gen::map(gen::sphere_point<3>(), [](const RationalVec<3>& x) { return x; }));
-    const auto of = [&]<class S>() {
-      const Vec<S, 3> x = lift<S>(v);
-      const Rational length2 = Rational(double(x[0])) * Rational(double(x[0])) + Rational(double(x[1])) * Rational(double(x[1])) +
-                               Rational(double(x[2])) * Rational(double(x[2]));
-      const Rational upper(static_cast<double>(upper_norm(x)));
-      RC_ASSERT(upper * upper >= length2 && upper * upper <= length2 * Rational(135, 100));
-    };
-    of.template operator()<float>();
-    of.template operator()<double>();
-  });
+  t.example("a length without a root is at least the length, and at most 16 % more, of multiples of an eighth",
+            {.number_type = "float, double"}, check_upper_norms);
+  t.holds("a length without a root is at least the length, and at most 16 % more",
+          {.number_type = "float, double", .cases = 2000}, [] {
+            const auto v = *rc::gen::oneOf(gen::nonzero_vector<3>(),
+                                           rc::gen::map(gen::sphere_point<3>(), [](const RationalVec<3>& x) { return x; }));
+            RC_ASSERT(is_upper_norm<float>(v) && is_upper_norm<double>(v));
+          });
 }
 
 void quaternions_and_rigid_transforms_are_matrices(Suite& t) {
