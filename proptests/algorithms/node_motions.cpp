@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "lemmas/exact/exact.hpp"
 #include "proptests/gen/animated_model.hpp"
 #include "proptests/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
@@ -161,6 +162,37 @@ void known_speeds_and_rounding(Suite& t) {
   });
 }
 
+// Offsets and vertices whose images cancel, in half of all cases, to nearly nothing.
+void check_lengths_of_images() {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  std::uniform_real_distribution<double> number(-1, 1);
+  const bool cancels = random() % 2 == 0, is_displacement = random() % 2 == 0;
+  RC_CLASSIFY(cancels, "degenerate");
+  Eigen::Matrix4d offset = Eigen::Matrix4d::Identity();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 4; ++j) offset(i, j) = std::ldexp(number(random), static_cast<int>(random() % 9) - 4);
+  const Point3 v(number(random), number(random), number(random));
+  auto linear = offset.topLeftCorner<3, 3>();
+  if (cancels && is_displacement) linear -= (linear * v * v.transpose() / v.squaredNorm()).eval();
+  else if (cancels) offset.topRightCorner<3, 1>() = -(linear * v);
+  Model model;
+  model.vertices = {v};
+  const ImageLength made = is_displacement ? length_of_displacement(offset, v) : length_of_vertex(model, offset, 0);
+  Vec<Rational, 3> image, parts;
+  for (int i = 0; i < 3; ++i) {
+    const Rational moved = is_displacement ? Rational(0) : Rational(offset(i, 3));
+    image[i] = Rational(offset(i, 0)) * Rational(v[0]) + Rational(offset(i, 1)) * Rational(v[1]) +
+               Rational(offset(i, 2)) * Rational(v[2]) + moved;
+    parts[i] = image[i] - moved;
+  }
+  const Rational computed(made.computed), summed = Rational(made.summed) * Rational(1 + 1e-12);
+  RC_ASSERT(sq(computed) >= squared_norm(image));
+  RC_ASSERT(sq(summed) >= squared_norm(image) && sq(summed) >= squared_norm(parts));
+  // Twice what is allowed for is too much.
+  const Rational less = computed - Rational(2 * rounding_of_image) * summed;
+  RC_ASSERT(less <= 0 || sq(less) <= squared_norm(image));
+}
+
 PROPTEST(node_motions) {
   t.holds("links and chains move within their bounds at any time of a part, as jets say",
           {.number_type = "multiprecision interval",
@@ -218,6 +250,11 @@ PROPTEST(node_motions) {
               }
             }
           });
+  t.holds(
+      "the length of an image is no less than in exact numbers, of images that cancel, too, and more by no more than is allowed "
+      "for",
+      {.number_type = "double against rational", .cases = 1000, .degenerate_at_least = 0.4, .degenerate_at_most = 0.6},
+      check_lengths_of_images);
   times_and_splines(t);
   known_speeds_and_rounding(t);
 }

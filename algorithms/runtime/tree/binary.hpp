@@ -66,7 +66,7 @@ void transfer_members(auto& io, List& list, const auto& transfer_member) {
     for (const auto& member : list) transfer_member(member);
   } else {
     for (; count > 0; --count) {
-      list.push_back(typename List::value_type());
+      list.resize(list.size() + 1);
       transfer_member(list.back());
     }
   }
