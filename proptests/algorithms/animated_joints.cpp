@@ -58,8 +58,7 @@ void defects_of_joints(Suite& t) {
         for (int i = 0; i < 4; ++i) {
           const int part = static_cast<int>(random() % static_cast<unsigned>(joints->part_count()));
           const double start = joints->times()[part], end = joints->times()[part + 1];
-          const double at =
-              i == 0 ? start : std::min(end, start + (end - start) * std::uniform_real_distribution<double>(0, 1)(random));
+          const double at = i == 0 ? start : gen::time_within(start, end, random);
           const Side side = at == start ? Side::after : Side::before;
           std::vector<oracle::Placed<M>> scene;
           try {

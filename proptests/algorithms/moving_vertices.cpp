@@ -134,10 +134,7 @@ void errors_of_rounding(Suite& t) {
           for (int i = 0; i < 4; ++i) {
             const int part = static_cast<int>(random() % static_cast<unsigned>(joints.part_count()));
             const double start = joints.times()[part], end = joints.times()[part + 1];
-            const double time = i == 0 ? start
-                                : i == 1
-                                    ? end
-                                    : std::min(end, start + (end - start) * std::uniform_real_distribution<double>(0, 1)(random));
+            const double time = i == 0 ? start : i == 1 ? end : gen::time_within(start, end, random);
             const Side side = time == start ? Side::after : Side::before;
             // What is not followed may be off: blends that may vanish.
             if (!(moving.slack(joints.cell(part, time, time), Finite::may_be).chord < std::numeric_limits<double>::infinity()) &&

@@ -4,6 +4,7 @@
 
 #include <Eigen/SVD>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "lemmas/exact/exact.hpp"
@@ -219,10 +220,10 @@ PROPTEST(node_motions) {
             for (int i = 0; i < 6 && times.size() > 1; ++i) {
               const std::size_t part = random() % (times.size() - 1);
               const double start = times[part], end = times[part + 1];
-              const double share = std::array{0.0, 1.0, 0.5}[i % 3];
-              // A sum may be rounded beyond the end.
-              const double at = std::min(
-                  end, i < 3 ? start + share * (end - start) : std::uniform_real_distribution<double>(start, end)(random));
+              const double at = i == 0   ? start
+                                : i == 1 ? end
+                                : i == 2 ? std::midpoint(start, end)
+                                         : gen::time_within(start, end, random);
               const Side side = at == start ? Side::after : Side::before;
               const auto links = link_motions(nodes, animation, start, end);
               const auto chains = chain_motions(nodes, links);

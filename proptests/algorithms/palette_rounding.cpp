@@ -427,18 +427,6 @@ Checked check_nodes() {
                      " nodes add too little, " + std::to_string(outside) + " vertices are outside");
 }
 
-Checked check_upper_norm() {
-  Draw draw;
-  double least = 2, greatest = 0;
-  for (int i = 0; i < samples; ++i) {
-    const Vec<Running, 3> x = draw.point();
-    if (length(x) == 0) continue;
-    const double ratio = upper_norm(Point3(x[0].value, x[1].value, x[2].value)) / length(x);
-    least = std::min(least, ratio), greatest = std::max(greatest, ratio);
-  }
-  return Checked(least >= 1 && least < 1.001 && greatest > 1.15 && greatest < 1.16, samples, std::to_string(greatest));
-}
-
 }  // namespace
 
 PROPTEST(palette_rounding) {
@@ -461,7 +449,6 @@ PROPTEST(palette_rounding) {
           {.number_type = "rational", .cases = 2000, .degenerate_at_least = 0.2, .degenerate_at_most = 0.5}, check_scales);
   t.example("kappa is that of blends as computed, which are shorter by a rounding for each joint, of thousands of them", options,
             check_kappa_of_many);
-  t.example("a length bounded without a root is bounded, by at most 16 % more", options, check_upper_norm);
   t.example("every variant adds at least what its pieces ask for, and the reference balls have their vertices", {}, check_nodes);
   t.example("what a vertex loses depends on no radius, in any skinning", {}, [] {
     const PaletteScales<double> scales{4, 2, 3, 1.5, 1e-16, 5};

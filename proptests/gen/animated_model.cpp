@@ -334,4 +334,8 @@ std::ostream& operator<<(std::ostream& out, const AnimatedPlan& plan) {
              << ", seed " << plan.seed;
 }
 
+double time_within(double start, double end, std::mt19937& random) {
+  return std::min(end, start + (end - start) * std::uniform_real_distribution<double>(0, 1)(random));
+}
+
 }  // namespace proptests::gen

@@ -4,6 +4,8 @@
 
 #include <rapidcheck.h>
 
+#include <random>
+
 #include "algorithms/model/model.hpp"
 
 namespace proptests::gen {
@@ -37,6 +39,9 @@ refitlab::Animation second_animation(const AnimatedPlan&, const refitlab::Model&
 
 // Whether something about it is a special case.
 bool is_degenerate(const AnimatedPlan& plan);
+
+// A time of a part of an animation, no later than the part's end, behind which a channel may jump: a sum might be rounded to there.
+double time_within(double start, double end, std::mt19937& random);
 
 // The numbers of all vertices, or of all joints: 0 to as many as there are.
 template <class T>

@@ -291,10 +291,11 @@ bool is_upper_norm(const RationalVec<3>& v) {
   return upper * upper >= squared && upper * upper <= squared * Rational(135, 100);
 }
 
-// Of equal coordinates, too, of which it is nearest to the length.
+// Of equal coordinates, too, of which it is nearest to the length. The 16 % are not too much: more than 15 % are attained.
 Checked check_upper_norms() {
   constexpr int most = 32;
   long cases = 0;
+  double greatest = 0;
   for (int i = 1; i <= most; ++i)
     for (int j = 0; j <= i; ++j)
       for (int k = 0; k <= j; ++k) {
@@ -302,8 +303,10 @@ Checked check_upper_norms() {
         ++cases;
         if (!is_upper_norm<float>(v) || !is_upper_norm<double>(v))
           return Checked(false, cases, "(" + std::to_string(k) + ", " + std::to_string(i) + ", -" + std::to_string(j) + ") / 8");
+        const Vec<double, 3> x = lift<double>(v);
+        greatest = std::max(greatest, upper_norm(x) / x.norm());
       }
-  return Checked(true, cases);
+  return Checked(greatest > 1.15, cases, "at most " + std::to_string(greatest) + " times the length");
 }
 
 void vectors_compute_by_coordinates(Suite& t) {
