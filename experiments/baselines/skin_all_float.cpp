@@ -65,8 +65,8 @@ class SkinAllFloat : public Detector {
   }
 
   std::vector<TrianglePair> query(Query query) override {
-    ClusterPairs pairs(first_.clusters(), second_.clusters(), counts_, scratch_);
-    auto found = ClusterTraversal(first_, second_, pairs, query, counts_, hits_).run();
+    ClusterPairs pairs(first_.clusters(), second_.clusters(), query, counts_, scratch_);
+    auto found = ClusterTraversal(first_, second_, pairs, counts_, hits_).run();
     if (query == Query::yes_no && found.size() > 1) found.resize(1);
     return found;
   }

@@ -106,6 +106,18 @@ PROPTEST(box) {
       }
     return ok;
   });
+  t.example("what two boxes have in common is as wide as its least edge, and less than nothing if they are apart", {}, [] {
+    bool ok = true;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double by : {-1.5, -1.0, -0.75, -0.25, 0.0, 0.25, 0.75, 1.0, 1.5}) {
+        Box<double> small = unit_box(axis, by);
+        ok = ok && common_width(unit_box(axis, 0), small) == 1 - std::abs(by) &&
+             common_width(small, unit_box(axis, 0)) == 1 - std::abs(by);
+        small.high[(axis + 1) % 3] = 0.125;
+        ok = ok && common_width(unit_box(axis, 0), small) == std::min(0.125, 1 - std::abs(by));
+      }
+    return Checked(ok, 27);
+  });
   boxes_in_blocks(t);
   t.example("a flipped box is the union of the lanes that are merged into it", {}, [=] {
     using P = Pack<float>;

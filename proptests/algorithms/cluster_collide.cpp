@@ -410,18 +410,19 @@ void what_is_counted(Suite& t) {
         PairMemory memory;
         // Motion bounds, the first's wide node against the second's whole, the second's; or without motion bounds if a memory says
         // that they were near, of bodies that are skinned whole because that is less work, too; and then no box at all, but the
-        // pair.
-        const std::pair<long, long> touching{3, 1}, apart{1, 0}, near{2, 1}, remembered{0, 1};
+        // clusters that touched.
+        const std::pair<long, long> touching{3, 1}, apart{1, 0}, near{2, 1}, remembered{0, 1}, met_again{1, 1};
         bool ok = counts_at(0.5, Query::full, nullptr) == touching && counts_at(9, Query::full, nullptr) == apart;
         ok = ok && counts_at(0.5, Query::full, &memory) == touching && memory.are_near;
         ok = ok && counts_at(0.5, Query::full, &memory) == near && first.nodes_bounded() == 0;
         memory.count_query(0);
         ok = ok && counts_at(0.5, Query::full, &memory) == near && first.nodes_bounded() == 1 && first.clusters_skinned() == 1 &&
              first.vertices_skinned() == 16 && second.vertices_skinned() == 16;
-        ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 0;
-        // Apart, and in contact again, as a remembered pair tells alone.
-        ok = ok && counts_at(9, Query::yes_no, &memory).second == 1 && !memory.are_near;
-        ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && memory.are_near;
+        ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 1 &&
+             first.nodes_bounded() == 0;
+        // Apart, and in contact again, as the clusters that touched tell behind the motion bounds.
+        ok = ok && counts_at(9, Query::yes_no, &memory) == std::pair<long, long>(1, 0) && !memory.are_near;
+        ok = ok && counts_at(0.5, Query::yes_no, &memory) == met_again && memory.are_near && first.nodes_bounded() == 0;
         return Checked(ok, 8);
       });
   t.example("a body counts the nodes that it bounds, and the clusters and vertices that it skins, each once a frame", {}, [] {
@@ -607,6 +608,10 @@ void bodies_that_are_skinned_whole(Suite& t) {
              whole_in_a_row(near) == 16 && !memory.are_entangled() && !at(0.2, near) && a.excess_work() + b.excess_work() < 0;
         ok = ok && !at(0.2, in_place) && at(0.2, in_place) && at(0.2, away) && !memory.are_entangled() && !at(0.2, away) &&
              a.nodes_bounded() == 0;
+        // Clusters that touch again tell nothing of how much work the next query does.
+        QueryCounts counts;
+        ok = ok && !at(0.2, in_place) && memory.are_entangled() && collide(a, b, Query::yes_no, counts, &memory).size() == 1 &&
+             !memory.are_entangled();
         // What was not made for a frame that should have been skinned whole is made where it is asked for, and is the same.
         ok = ok && !at(0.2, in_place) && memory.are_entangled();
         a.begin(men.walk.sample(0.1), in_place);
@@ -648,7 +653,7 @@ void pairs_that_touch_and_pairs_that_are_remembered(Suite& t) {
                        pairs(2, 0, 1e-300) == 0 && pairs(std::nextafter(2, 3), 0, 0) == 0,
                    6);
   });
-  t.example("a remembered pair that still touches answers a yes/no query, and no cluster is skinned for it", {}, [] {
+  t.example("clusters that touched answer a yes/no query if they still do, and no other is skinned for it", {}, [] {
     TwoMen men;
     auto &a = men.a, &b = men.b;
     const RigidTransform<double> at = moved(0.1), away = moved(1);
@@ -659,13 +664,16 @@ void pairs_that_touch_and_pairs_that_are_remembered(Suite& t) {
       a.begin(men.at(time), {}), b.begin(men.at(time + 0.5), at);
       ok = ok && collide(a, b, Query::yes_no, counts, &memory).size() == 1;
     }
-    ok = ok && a.clusters_skinned() == 0 && !memory.pairs().empty();
+    ok = ok && a.clusters_skinned() == 1 && a.nodes_bounded() == 0 && memory.pairs().size() == 1 && !memory.are_entangled();
     b.begin(men.at(0.7), away);
     ok = ok && collide(a, b, Query::yes_no, counts, &memory).empty();
     b.begin(men.at(0.7), at);
     const auto pairs = collide(a, b, Query::full, counts, &memory);
     const auto& kept = memory.pairs();
-    for (const TrianglePair& pair : kept) ok = ok && std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
+    for (const ClusterPair& pair : kept)
+      ok = ok && std::any_of(pairs.begin(), pairs.end(), [&](const TrianglePair& p) {
+             return oracle::has_triangle(men.tree, pair.first, p.first) && oracle::has_triangle(men.tree, pair.second, p.second);
+           });
     const std::size_t remembered = kept.size();
     memory.count_query(0);                       // else they are skinned whole
     for (const bool was_near : {true, false}) {  // motion bounds are compared again once the bounds have been found apart
@@ -675,6 +683,43 @@ void pairs_that_touch_and_pairs_that_are_remembered(Suite& t) {
     }
     return Checked(ok && remembered == PairMemory::most, 5,
                    std::to_string(pairs.size()) + " pairs found, " + std::to_string(remembered) + " remembered");
+  });
+}
+
+// Slivers beside each other hang over a plane; one of them hangs deeper and through it. What has the plane has a box that all of them
+// reach into.
+void deepest_boxes_come_first(Suite& t) {
+  t.example("a yes/no query looks first where boxes reach deepest into each other, wherever that is in the tree", {}, [] {
+    constexpr int slivers = 12;
+    SkinnedMesh plane;
+    plane.name = "plane";
+    plane.joints = {{"root", -1, {0, 0, 0}}};
+    plane.vertices = {{-100, -100, -1.5}, {300, -100, -1.5}, {-100, 300, -1.5}, {1000, 0, -10}, {1000, 1, 0}, {1001, 0, 0}};
+    plane.triangles = {{0, 1, 2}, {3, 4, 5}};
+    plane.influences.assign(plane.vertices.size(), {{0, 1.0}});
+    const Character below = bake(plane);
+    const ClusterTree tree_below(below);
+    long tried = 0;
+    for (int through = 0; through < slivers; ++through) {
+      SkinnedMesh row = row_of_triangles(slivers, 1, [](int) { return std::pair(0, 0); });
+      for (int k = 0; k < slivers; ++k) {
+        const double x = 4 * k, depth = k == through ? 2 : 1 + 0.02 * ((7 * k) % slivers);
+        row.vertices[3 * k] = {x, 0, -depth}, row.vertices[3 * k + 1] = {x + 3, 0, 1}, row.vertices[3 * k + 2] = {x, 3, 1};
+      }
+      const Character above = bake(row);
+      const ClusterTree tree(above, {.most_triangles = 1, .most_children = 32});
+      ClusterBody first(tree, Skinning::spherical), second(tree_below, Skinning::spherical);
+      for (const bool turned : {false, true}) {
+        first.begin(Pose(1), {}), second.begin(Pose(1), {});
+        QueryCounts counts;
+        const auto found = turned ? collide(second, first, Query::yes_no, counts) : collide(first, second, Query::yes_no, counts);
+        const TrianglePair expected = turned ? TrianglePair{0, through} : TrianglePair{through, 0};
+        if (found != std::vector{expected} || first.clusters_skinned() != 1)
+          return Checked(false, tried, std::to_string(first.clusters_skinned()) + " clusters for " + std::to_string(through));
+        ++tried;
+      }
+    }
+    return Checked(true, tried);
   });
 }
 
@@ -698,9 +743,8 @@ void what_is_refused(Suite& t) {
                 b.begin(still, {});
                 ok = ok && gen::refuses<std::invalid_argument>([&] { collide(a, a, Query::full, counts); });
                 PairMemory memory;
-                const auto count = static_cast<int>(c.mesh.triangles.size());
-                for (const TrianglePair& pair : {TrianglePair{count, 0}, {0, count}, {-1, 0}, {0, 1 << 30}})
-                  memory.remember(pair);
+                const auto count = static_cast<int>(tree.clusters().size());
+                for (const ClusterPair& pair : {ClusterPair{count, 0}, {0, count}, {-1, 0}, {0, 1 << 30}}) memory.remember(pair);
                 ok = ok && collide(a, b, Query::yes_no, counts, &memory).size() == 1;
               }
               return Checked(ok, 27);
@@ -759,6 +803,7 @@ PROPTEST(cluster_collide) {
   when_clusters_are_rather_skinned(t);
   two_walking_men(t);
   bodies_that_are_skinned_whole(t);
+  deepest_boxes_come_first(t);
   pairs_that_touch_and_pairs_that_are_remembered(t);
   what_is_refused(t);
 }

@@ -26,11 +26,47 @@ using oracle::sorted;
 
 // Looks into every pair of clusters.
 std::vector<TrianglePair> pairs_of(SkinnedClusters& a, SkinnedClusters& b, QueryCounts& counts, ClusterPairScratch& scratch) {
-  ClusterPairs pairs(a, b, counts, scratch);
+  ClusterPairs pairs(a, b, Query::full, counts, scratch);
   for (int i = 0; i < static_cast<int>(a.tree().clusters().size()); ++i)
     for (int j = 0; j < static_cast<int>(b.tree().clusters().size()); ++j) pairs.add(i, j);
   pairs.decide();
+  // Each pair found is of clusters that are listed, and each of these has one.
+  const auto is_of = [&](const TrianglePair& p) {
+    return [&](const ClusterPair& c) {
+      return oracle::has_triangle(a.tree(), c.first, p.first) && oracle::has_triangle(b.tree(), c.second, p.second);
+    };
+  };
+  for (const TrianglePair& p : pairs.found()) RC_ASSERT(std::any_of(pairs.touching().begin(), pairs.touching().end(), is_of(p)));
+  for (const ClusterPair& c : pairs.touching())
+    RC_ASSERT(std::any_of(pairs.found().begin(), pairs.found().end(), [&](const TrianglePair& p) { return is_of(p)(c); }));
   return sorted(pairs.found());
+}
+
+// Of each pair of clusters by itself: a yes/no query ends with some of the expected pairs if there is one, and without any else. The
+// clusters are listed as touching exactly if there is one.
+void check_clusters_one_by_one(SkinnedClusters& a, SkinnedClusters& b, const std::vector<TrianglePair>& expected) {
+  ClusterPairScratch scratch;
+  for (int i = 0; i < static_cast<int>(a.tree().clusters().size()); ++i)
+    for (int j = 0; j < static_cast<int>(b.tree().clusters().size()); ++j) {
+      QueryCounts counts, of_yes_no;
+      ClusterPairs all(a, b, Query::full, counts, scratch);
+      all.add(i, j);
+      RC_ASSERT(!all.is_done());
+      all.decide();
+      const bool is_any = std::any_of(expected.begin(), expected.end(), [&](const TrianglePair& p) {
+        return oracle::has_triangle(a.tree(), i, p.first) && oracle::has_triangle(b.tree(), j, p.second);
+      });
+      RC_ASSERT(is_any == !all.found().empty());
+      RC_ASSERT(is_any == !all.touching().empty());
+      for (const ClusterPair& pair : all.touching()) RC_ASSERT((pair == ClusterPair{i, j}));
+      ClusterPairs one(a, b, Query::yes_no, of_yes_no, scratch);
+      one.add(i, j);
+      if (!one.is_done()) one.decide();
+      RC_ASSERT(one.is_done() == is_any && one.found().size() <= all.found().size() && one.touching().empty() == !is_any);
+      RC_ASSERT(of_yes_no.triangle_tests <= counts.triangle_tests);
+      for (const TrianglePair& pair : one.found()) RC_ASSERT(std::binary_search(expected.begin(), expected.end(), pair));
+      if (of_yes_no.triangle_tests < counts.triangle_tests) RC_TAG("a yes/no query ends early");
+    }
 }
 
 // By which candidates are moved.
@@ -154,7 +190,11 @@ void check_candidates(const DrawnTriangles& drawn, const ClusterPairKernels& ker
 
 void pairs_are_those_of_all_triangles(Suite& t) {
   t.holds("the pairs of all pairs of clusters are those of testing all pairs of triangles, from any two origins",
-          {.number_type = "double", .cases = 200, .degenerate_at_least = 0.3, .tags_at_least = {{"in contact", 0.3}}}, [] {
+          {.number_type = "double",
+           .cases = 200,
+           .degenerate_at_least = 0.3,
+           .tags_at_least = {{"in contact", 0.3}, {"a yes/no query ends early", 0.02}}},
+          [] {
             const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
             const Character a = bake(gen::make_mesh(plan_a)), b = bake(gen::make_mesh(plan_b));
@@ -182,6 +222,7 @@ void pairs_are_those_of_all_triangles(Suite& t) {
               QueryCounts counts;
               RC_ASSERT(pairs_of(first, second, counts, scratch) == expected);
               RC_ASSERT(counts.triangle_tests >= static_cast<long>(expected.size()));
+              check_clusters_one_by_one(first, second, expected);
               RC_TAG(expected.empty() ? "apart" : "in contact");
             }
           });

@@ -2,6 +2,7 @@
 #include "proptests/oracles/all_pairs.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "algorithms/runtime/collide/triangles_meet.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
@@ -34,6 +35,12 @@ std::vector<TrianglePair> all_pairs(const Triangles& a, const std::vector<Point3
 
 std::vector<TrianglePair> all_pairs(const Posed& a, const Posed& b, Skinning skinning) {
   return all_pairs(a.character.mesh.triangles, a.vertices(skinning), b.character.mesh.triangles, b.vertices(skinning));
+}
+
+bool has_triangle(const ClusterTree& tree, int cluster, int triangle) {
+  const std::span<const int> triangles(tree.triangles(cluster),
+                                       static_cast<std::size_t>(tree.clusters()[cluster].triangle_count));
+  return std::find(triangles.begin(), triangles.end(), triangle) != triangles.end();
 }
 
 }  // namespace proptests::oracle

@@ -2,6 +2,7 @@
 // Which triangles touch, by testing all pairs of triangles whose vertices are all skinned beforehand.
 #pragma once
 
+#include "algorithms/runtime/collide/cluster_tree.hpp"
 #include "algorithms/runtime/collide/collide.hpp"
 
 namespace proptests::oracle {
@@ -24,5 +25,8 @@ using Triangles = std::vector<refitlab::Triangle>;
 std::vector<refitlab::TrianglePair> all_pairs(const Triangles& a, const std::vector<refitlab::Point3>& p, const Triangles& b,
                                               const std::vector<refitlab::Point3>& q);
 std::vector<refitlab::TrianglePair> all_pairs(const Posed& a, const Posed& b, refitlab::Skinning skinning);
+
+// Whether a cluster has a triangle of the model.
+bool has_triangle(const refitlab::ClusterTree& tree, int cluster, int triangle);
 
 }  // namespace proptests::oracle

@@ -70,6 +70,14 @@ auto are_apart(const Box<S>& a, const Box<S>& b) {
   return apart;
 }
 
+// Returns the least edge of what two boxes have in common. It is negative for boxes that are apart.
+template <class S>
+S common_width(const Box<S>& a, const Box<S>& b) {
+  S width = S(infinite);
+  for (int i = 0; i < 3; ++i) width = min_of<S>(width, min_of<S>(a.high[i], b.high[i]) - max_of<S>(a.low[i], b.low[i]));
+  return width;
+}
+
 // Chooses between two boxes lane by lane.
 template <class Mask, class S>
 Box<S> choose(const Mask& first, const Box<S>& a, const Box<S>& b) {

@@ -9,8 +9,9 @@
 namespace refitlab {
 namespace {
 
-// Pairs of candidates are listed in parts of at most so many, or those of one block of the second ones.
-constexpr int pairs_at_once = 1 << 14;
+// Pairs of candidates are listed in parts of at most so many, or those of one block of the second ones. A yes/no query ends with the
+// first part in which a pair touches.
+constexpr int pairs_at_once = 1 << 14, pairs_at_once_of_yes_no = 1 << 8;
 
 CandidateArrays arrays_of(Candidates& c) {
   CandidateArrays out{c.triangle.data(), c.outcodes.data(), {}, c.vertices.data()->lane.data()};
@@ -65,13 +66,16 @@ void DoublePairs::decide(std::vector<TrianglePair>& found) {
 
 void DoublePairs::clear() { vertices_a_.clear(), vertices_b_.clear(), pairs_.clear(); }
 
-ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, QueryCounts& counts, ClusterPairScratch& scratch)
+ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Query query, QueryCounts& counts,
+                           ClusterPairScratch& scratch)
     : first_(first),
       second_(second),
+      query_(query),
       counts_(counts),
       scratch_(scratch) {
   const DefaultFloatEnvironment environment;
-  scratch.open.clear(), scratch.doubles.clear();  // a query that ends early, or by an exception, leaves what was not decided
+  // A query that ends early, or by an exception, leaves what was not decided.
+  scratch.open.clear(), scratch.doubles.clear(), scratch.touching.clear();
   double largest = 0;
   for (int i = 0; i < 3; ++i) {
     const double offset = second.origin()[i] - first.origin()[i];
@@ -121,8 +125,8 @@ void ClusterPairs::add(int a, int b) {
   constexpr int block = Lanes<float>::count;
   const bool is_first_in_blocks = count_b * blocks_for<float>(count_a) < count_a * blocks_for<float>(count_b);
   const int single = is_first_in_blocks ? count_b : count_a, in_blocks = is_first_in_blocks ? count_a : count_b;
-  const int step = block * std::max(1, pairs_at_once / (block * single));
-  for (int begin = 0; begin < in_blocks; begin += step) {
+  const int step = block * std::max(1, (query_ == Query::full ? pairs_at_once : pairs_at_once_of_yes_no) / (block * single));
+  for (int begin = 0; begin < in_blocks && !is_done(); begin += step) {
     const int end = std::min(in_blocks, begin + step);
     const int count = is_first_in_blocks ? kernels_.meeting(candidates_b, count_b, candidates_a, begin, end, 2 * slack,
                                                             scratch_.of_second.data(), scratch_.of_first.data())
@@ -142,6 +146,7 @@ void ClusterPairs::filter(int a, int b, int count, float slack) {
   const int *const triangles_a = first_.tree().triangles(a), *const triangles_b = second_.tree().triangles(b);
   const auto first_of = [&](int pair) { return scratch_.first.triangle[scratch_.of_first[pair]]; };
   const auto second_of = [&](int pair) { return scratch_.second.triangle[scratch_.of_second[pair]]; };
+  if (meet_count > 0) list_touching({a, b});
   for (int m = 0; m < meet_count; ++m)
     found_.push_back({triangles_a[first_of(scratch_.meet[m])], triangles_b[second_of(scratch_.meet[m])]});
   const ClusterTriangles vertices_a = first_.tree().cluster_triangles(a), vertices_b = second_.tree().cluster_triangles(b);
@@ -156,8 +161,13 @@ void ClusterPairs::filter(int a, int b, int count, float slack) {
   if (scratch_.open.size() >= DoublePairs::most) decide();
 }
 
+void ClusterPairs::list_touching(ClusterPair pair) {
+  if (scratch_.touching.empty() || scratch_.touching.back() != pair) scratch_.touching.push_back(pair);
+}
+
 void ClusterPairs::decide() {
   const DefaultFloatEnvironment environment;
+  std::size_t first_found = found_.size();
   for (const ClusterPairScratch::Open& open : scratch_.open) {
     const auto first = [&](int i) { return first_.padded_vertex(open.cluster_a, open.a[i]); };
     const auto second = [&](int i) { return second_.padded_vertex(open.cluster_b, open.b[i]); };
@@ -165,6 +175,9 @@ void ClusterPairs::decide() {
     if (scratch_.doubles.is_full()) scratch_.doubles.decide(found_);
   }
   scratch_.doubles.decide(found_);
+  for (const ClusterPairScratch::Open& open : scratch_.open)  // the found ones are in the same order
+    if (first_found < found_.size() && found_[first_found] == open.pair)
+      ++first_found, list_touching({open.cluster_a, open.cluster_b});
   scratch_.open.clear();
 }
 

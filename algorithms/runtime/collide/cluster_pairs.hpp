@@ -37,12 +37,13 @@ struct ClusterPairScratch {
   std::vector<std::int32_t> of_first, of_second, meet, unknown;  // of pairs of candidates
   std::vector<Open> open;
   DoublePairs doubles;
+  std::vector<ClusterPair> touching;
 };
 
 class ClusterPairs {
  public:
   // All of these must outlive this.
-  ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, QueryCounts& counts, ClusterPairScratch& scratch);
+  ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Query query, QueryCounts& counts, ClusterPairScratch& scratch);
 
   // moved() returns a box of the second body as seen from the first one's origin, and moved_back() the other way round. The boxes
   // have four roundings of their coordinates to spare, of which this takes one.
@@ -55,6 +56,11 @@ class ClusterPairs {
   void decide();
 
   std::vector<TrianglePair>& found() { return found_; }
+  Query query() const { return query_; }
+  // Says whether a yes/no query has what it asks for. It looks no further in the clusters where it is found.
+  bool is_done() const { return query_ == Query::yes_no && !found_.empty(); }
+  // Returns the clusters in which triangles that touch were found. A pair of clusters may be listed twice.
+  const std::vector<ClusterPair>& touching() const { return scratch_.touching; }
 
  private:
   Box<float> moved(const Box<float>& box, float sign) const {
@@ -64,8 +70,10 @@ class ClusterPairs {
     return out;
   }
   void filter(int a, int b, int count, float slack);
+  void list_touching(ClusterPair pair);
 
   SkinnedClusters &first_, &second_;
+  const Query query_;
   QueryCounts& counts_;
   ClusterPairScratch& scratch_;
   const ClusterPairKernels& kernels_ = cluster_pair_kernels(best_target());

@@ -2,6 +2,9 @@
 // ClusterTraversal goes down the wide nodes of two bodies, to the pairs of clusters whose boxes meet.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "algorithms/runtime/collide/cluster_pairs.hpp"
 
 namespace refitlab {
@@ -13,21 +16,21 @@ template <class Body>
 class ClusterTraversal {
  public:
   // All of these must outlive this. hits is working storage.
-  ClusterTraversal(Body& first, Body& second, ClusterPairs& pairs, Query query, QueryCounts& counts, std::vector<int>& hits)
+  ClusterTraversal(Body& first, Body& second, ClusterPairs& pairs, QueryCounts& counts, std::vector<int>& hits)
       : first_(first),
         second_(second),
         pairs_(pairs),
-        query_(query),
         counts_(counts),
         hits_(hits) {}
 
-  // Returns the pairs of triangles that touch. A yes/no query ends with the first clusters that have any.
+  // Returns the pairs of triangles that touch. A yes/no query ends with the first clusters that have any. It looks first where boxes
+  // reach deepest into each other.
   std::vector<TrianglePair> run() {
     const Box<float> whole = pairs_.moved(second_.wide_node_box(0));
     const Hits tops(*this, first_, 0, whole);
-    for (std::size_t i = 0; i < tops.count() && !is_done(); ++i)
+    for (std::size_t i = 0; i < tops.count() && !pairs_.is_done(); ++i)
       below_second(first_.tree().child(0, tops[i]), child_box(first_, 0, tops[i]), 0);
-    if (!is_done()) pairs_.decide();
+    if (!pairs_.is_done()) pairs_.decide();
     return std::move(pairs_.found());
   }
 
@@ -44,6 +47,7 @@ class ClusterTraversal {
       stack_.resize(first_ + count);
       count_ = traversal.kernels_.overlaps(body.wide_node_boxes(wide_node), count, box, stack_.data() + first_);
       stack_.resize(first_ + count_);
+      if (traversal.pairs_.query() == Query::yes_no) put_deepest_first(body.wide_node_boxes(wide_node), box);
     }
     ~Hits() { stack_.resize(first_); }
     Hits(const Hits&) = delete;
@@ -51,6 +55,15 @@ class ClusterTraversal {
     int operator[](std::size_t i) const { return stack_[first_ + i]; }
 
    private:
+    void put_deepest_first(const BoxBlock<float>* boxes, const Box<float>& box) {
+      const auto begin = stack_.begin() + static_cast<std::ptrdiff_t>(first_);
+      auto deepest = begin;
+      float depth = -std::numeric_limits<float>::infinity();
+      for (auto hit = begin; hit != stack_.end(); ++hit)
+        if (const float of_hit = common_width(get_box(boxes, *hit), box); of_hit > depth) depth = of_hit, deepest = hit;
+      if (deepest != stack_.end()) std::rotate(begin, deepest, deepest + 1);
+    }
+
     std::vector<int>& stack_;
     const std::size_t first_;
     std::size_t count_;
@@ -63,17 +76,16 @@ class ClusterTraversal {
     const Cluster& cluster = body.tree().clusters()[child.cluster];
     return child_box(body, cluster.wide_node, cluster.child);
   }
-  bool is_done() const { return query_ == Query::yes_no && !pairs_.found().empty(); }
 
   // Compares one node of the first body with those in a wide node of the second, and the other way round.
   void below_second(const WideNodeChild& a, const Box<float>& box, int wide_node) {
     const Hits hits(*this, second_, wide_node, pairs_.moved_back(box));
-    for (std::size_t i = 0; i < hits.count() && !is_done(); ++i)
+    for (std::size_t i = 0; i < hits.count() && !pairs_.is_done(); ++i)
       nodes(a, newest(first_, a, box), second_.tree().child(wide_node, hits[i]), child_box(second_, wide_node, hits[i]));
   }
   void below_first(int wide_node, const WideNodeChild& b, const Box<float>& box) {
     const Hits hits(*this, first_, wide_node, pairs_.moved(box));
-    for (std::size_t i = 0; i < hits.count() && !is_done(); ++i)
+    for (std::size_t i = 0; i < hits.count() && !pairs_.is_done(); ++i)
       nodes(first_.tree().child(wide_node, hits[i]), child_box(first_, wide_node, hits[i]), b, newest(second_, b, box));
   }
 
@@ -92,7 +104,6 @@ class ClusterTraversal {
 
   Body &first_, &second_;
   ClusterPairs& pairs_;
-  const Query query_;
   QueryCounts& counts_;
   std::vector<int>& hits_;
   const ClusterPairKernels& kernels_ = cluster_pair_kernels(best_target());

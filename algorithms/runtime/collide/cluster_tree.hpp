@@ -29,6 +29,12 @@ struct Cluster {
   int wide_node, child;  // the wide node that it is a child of, and which one
 };
 
+// A ClusterPair has a cluster of each of two bodies' trees.
+struct ClusterPair {
+  int first, second;
+  bool operator==(const ClusterPair&) const = default;
+};
+
 // A child of a wide node is a cluster, or it is opened into a wide node of its own.
 struct WideNodeChild {
   int cluster, wide_node;  // one of them is -1

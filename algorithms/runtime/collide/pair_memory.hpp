@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
-// PairMemory remembers two bodies from earlier frames. Bodies move little from one frame to the next. If a few pairs of triangles
-// touched, some of them often touch again, and bodies whose bounds met meet again.
+// PairMemory remembers two bodies from earlier frames. Bodies move little from one frame to the next. Clusters that touched often touch
+// again, and bodies whose bounds met meet again.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
-#include "algorithms/runtime/collide/collide.hpp"
+#include "algorithms/runtime/collide/cluster_tree.hpp"
 
 namespace refitlab {
 
 class PairMemory {
  public:
-  static constexpr std::size_t most = 8;
+  static constexpr std::size_t most = 4;
 
-  // Returns the pairs that touched. The latest comes first.
-  const std::vector<TrianglePair>& pairs() const { return pairs_; }
+  // Returns the clusters that touched. The latest pair comes first.
+  const std::vector<ClusterPair>& pairs() const { return pairs_; }
 
-  // Adds one of the pairs found in a frame. If it is known, it moves to the front. It may be one of pairs().
-  void remember(TrianglePair pair) {
+  // Adds a pair that was found in a frame. If it is known, it moves to the front. It may be one of pairs().
+  void remember(ClusterPair pair) {
     std::erase(pairs_, pair);
     if (pairs_.size() == most) pairs_.pop_back();
     pairs_.insert(pairs_.begin(), pair);
   }
   // Adds as many of the pairs found in a frame as there is room for, spread over all of them.
-  void remember(const std::vector<TrianglePair>& pairs) {
+  void remember(const std::vector<ClusterPair>& pairs) {
     const std::size_t count = std::min(most, pairs.size());
     for (std::size_t i = 0; i < count; ++i) remember(pairs[i * pairs.size() / count]);
   }
@@ -44,7 +44,7 @@ class PairMemory {
  private:
   static constexpr int least_whole_queries = 8, most_whole_queries = 64;
   int whole_queries_ = 0, next_whole_queries_ = least_whole_queries;
-  std::vector<TrianglePair> pairs_;
+  std::vector<ClusterPair> pairs_;
 };
 
 }  // namespace refitlab
