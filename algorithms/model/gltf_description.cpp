@@ -283,6 +283,9 @@ GltfGeometry gltf_geometry(const std::string& bytes, const std::string& path) {
   try {
     whole = json::parse(chunks[0].data);
   } catch (const json::exception& e) {
+    const std::string& text = chunks[0].data;
+    const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+    if (first == std::string::npos || text[first] != '{') throw ModelError(path, "file", "is neither binary glTF nor JSON");
     throw ModelError(path, "glTF description", std::string(e.what()).substr(0, 200));
   }
   const bool has_binary = chunks.size() > 1 && chunks[1].type == bin_chunk && !chunks[1].data.empty();

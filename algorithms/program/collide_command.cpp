@@ -33,7 +33,10 @@ const Clip* clip_of(const std::vector<Clip>& clips, const std::string& file, con
   }
   for (std::size_t c = 0; c < clips.size(); ++c)
     if (name == "#" + std::to_string(c + 1)) return &clips[c];
-  throw ModelError(file, "clip '" + name + "'", "there is no such clip");
+  std::string names;
+  for (const Clip& clip : clips) names += (names.empty() ? "" : ", ") + clip.name;
+  if (names.empty()) names = "none";
+  throw ModelError(file, "clip '" + name + "'", "there is no such clip, but " + names);
 }
 
 // Returns a name such as "man.glb, clip walk at 0.5 s".

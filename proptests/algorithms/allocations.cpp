@@ -161,12 +161,52 @@ Checked check_frames_that_fail() {
   return Checked(failed > 200 && in_none > 0, failed, std::to_string(in_none) + " in no frame");
 }
 
+// The same of a body by sphere trees: it is in no frame, or its balls and triangles are those of the frame before.
+Checked check_bodies_that_fail() {
+  const Character c = bake(sheet(3));
+  long failed = 0, in_none = 0;
+  for (const Skinning skinning : {Skinning::linear, Skinning::spherical})
+    for (int kinds = 0; kinds < 8; ++kinds) {
+      Pose rigid(2);
+      AffinePose affine(2);
+      for (int j = 0; j < 2; ++j) rigid[j].translation[0] = affine[j].offset[0] = 100;
+      const auto deformed = kinds & 1 ? Deformation{{1.0 / 256}, {}} : Deformation{};
+      const auto next = [&](Body& body) {
+        if (kinds & 2) body.begin(affine, deformed.weights);
+        else body.begin(rigid, deformed);
+      };
+      for (long after = 0;; ++after) {
+        Body body(c, default_variant(skinning));
+        body.begin(Pose(2), kinds & 4 ? Deformation{{-1.0 / 256}, {}} : Deformation{});
+        const Ball3<double> ball = body.ball(0);
+        try {
+          const oracle::FailingAllocation failing(after);
+          next(body);
+          break;
+        } catch (const std::bad_alloc&) {
+          ++failed;
+        }
+        try {
+          const bool is_as_before = body.ball(0).center == ball.center && body.ball(0).radius == ball.radius;
+          if (!is_as_before || body.triangle(0)[0][0] > 50) return Checked(false, failed, "half in another frame");
+        } catch (const std::logic_error&) {
+          ++in_none;
+        }
+        next(body);
+        if (body.triangle(0)[0][0] < 50 || body.ball(0).center[0] < 50)
+          return Checked(false, failed, "not in the frame begun again");
+      }
+    }
+  return Checked(failed > 100 && in_none > 0, failed, std::to_string(in_none) + " in no frame");
+}
+
 }  // namespace
 
 PROPTEST(allocations) {
   if (oracle::allocations_can_fail) {
     t.example("after a query that runs out of memory, another frame has the pairs of its own bodies alone", {}, check_next_frame);
     t.example("a body is in no wrong frame after one that runs out of memory", {}, check_frames_that_fail);
+    t.example("nor is a body by sphere trees", {}, check_bodies_that_fail);
   }
   if (oracle::allocations_can_fail)
     t.example("a query that runs out of memory at any allocation finds all pairs when it is asked again in the frame", {}, [] {

@@ -740,6 +740,9 @@ void what_is_refused(Suite& t) {
                      is_refused([&] { a.clusters().make_all_palettes(); }) && is_refused([&] { a.clusters().whole_palette(); });
                 a.begin(still, {});
                 ok = ok && is_refused([&] { collide(a, b, Query::full, counts); });
+                PairMemory near;
+                near.are_near = true;  // then the bounds of a body without a frame are asked for within the query
+                ok = ok && is_refused([&] { collide(a, b, Query::full, counts, &near); }) && a.query_scratch().hits.empty();
                 b.begin(still, {});
                 ok = ok && gen::refuses<std::invalid_argument>([&] { collide(a, a, Query::full, counts); });
                 PairMemory memory;
@@ -747,7 +750,7 @@ void what_is_refused(Suite& t) {
                 for (const ClusterPair& pair : {ClusterPair{count, 0}, {0, count}, {-1, 0}, {0, 1 << 30}}) memory.remember(pair);
                 ok = ok && collide(a, b, Query::yes_no, counts, &memory).size() == 1;
               }
-              return Checked(ok, 27);
+              return Checked(ok, 30);
             });
   t.example("options out of range, a placement that is not rigid and a pose with a NaN are refused by name", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));

@@ -831,12 +831,15 @@ void skins_and_what_is_no_json(Suite& t, const json& tube) {
   });
   t.example("what is no JSON is refused with what the parser says", {}, [&] {
     bool good = true;
-    for (const char* text : {"", "{", "{\"asset\": {\"version\": 1e999}}", "\xff\xfe"})
+    for (const char* text : {"{", " {", "{\"asset\": {\"version\": 1e999}}", "{\xff\xfe"})
       good = good && refusal(text).starts_with("file.gltf: glTF description: ");
+    for (const char* text : {"", " \n", "Hello", "[{", "\xff\xfe{}"})
+      good = good && refusal(text) == "file.gltf: file: is neither binary glTF nor JSON";
+    for (const char* before : {" \n", "\xef\xbb\xbf"}) good = good && refusal(before + tube.dump()).empty();
     // Nested far deeper than a stack is: nothing descends into extras.
     std::string deep = tube.dump();
     deep.insert(1, "\"extras\":" + std::string(1000000, '[') + std::string(1000000, ']') + ",");
-    return Checked(good && refusal(deep).empty(), 5);
+    return Checked(good && refusal(deep).empty(), 12);
   });
 }
 

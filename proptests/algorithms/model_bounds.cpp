@@ -752,6 +752,36 @@ void check_far_frame() {
   if (!holds(bound_model(model, {.cluster_triangles = 0, .renderer_rounding = 0}).rest[0], places)) RC_TAG("rounding is seen");
 }
 
+// A joint whose offset makes nearly nothing of a direction, and a morph target that displaces vertices along it. What a renderer in float
+// rounds is a part of the displacements, not of their images.
+void check_flattened_displacements() {
+  const int power = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 9));
+  const unsigned seed = drawn_seed();
+  RC_LOG() << "10^-" << power << " of a displacement is left, seed " << seed;
+  RC_CLASSIFY(power == 0, "degenerate");
+  Numbers random(seed);
+  const Eigen::Matrix3d before = random.turn().toRotationMatrix(), after = random.turn().toRotationMatrix();
+  const Eigen::Matrix3f flat = (after * Point3(std::pow(10.0, -power), 1, 1).asDiagonal() * before.transpose()).cast<float>();
+  Eigen::Matrix4d offset = Eigen::Matrix4d::Identity();
+  offset.topLeftCorner<3, 3>() = flat.cast<double>();
+  Scene scene{"flat", {{"joint", -1, Eigen::Matrix4d::Identity()}, {"shown", -1, Eigen::Matrix4d::Identity()}}, {}, {}, {}, {}};
+  scene.skins = {{{0}, {offset}}};
+  ScenePrimitive primitive{"part", {}, {{0, 1, 2}, {2, 3, 4}}, {}, {{}}};
+  primitive.weights.assign(5, {{0, 1.0}});
+  const float weight = 1 + static_cast<float>(seed % 4) / 2;
+  std::vector<Point3> places;
+  for (int v = 0; v < 5; ++v) {
+    const Eigen::Vector3f at = (1e-9 * random.vector()).cast<float>(), by = ((1 + 0.25 * v) * before.col(0)).cast<float>();
+    primitive.positions.push_back(at.cast<double>()), primitive.targets[0].push_back(by.cast<double>());
+    places.push_back((flat * (at + weight * by)).cast<double>());
+  }
+  scene.meshes.push_back({{primitive}});
+  scene.shown.push_back({1, 0, 0, {weight}});
+  const Model model = model_of_scene(scene, {.joints = Joints::affine, .morphs = Morphs::moving});
+  RC_ASSERT(holds(bound_model(model, {.cluster_triangles = 0}).rest[0], places));
+  if (!holds(bound_model(model, {.cluster_triangles = 0, .renderer_rounding = 0}).rest[0], places)) RC_TAG("rounding is seen");
+}
+
 // A half turn, but for this cosine of the quaternions.
 Eigen::Quaterniond nearly_half_a_turn(const Point3& axis, double cosine) {
   const Point3 sine = std::sqrt(1 - cosine * cosine) * axis.normalized();
@@ -817,6 +847,9 @@ void blends_of_rotations(Suite& t) {
            .degenerate_at_most = 0.4,
            .tags_at_least = {{"far", 0.2}, {"rounding is seen", 0.3}}},
           check_far_frame);
+  t.holds("what a renderer in float rounds of displacements that a joint makes nearly nothing of puts no vertex outside",
+          {.number_type = "float", .cases = 300, .degenerate_at_most = 0.4, .tags_at_least = {{"rounding is seen", 0.3}}},
+          check_flattened_displacements);
   t.holds(
       "where two joints are half a turn apart, to within what a renderer in float rounds, the vertex is inside with either sign",
       {.number_type = "long double", .cases = 120, .degenerate_at_most = 0.6, .tags_at_least = {{"either sign", 0.3}}},

@@ -8,6 +8,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
+#include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness.hpp"
 
@@ -272,9 +273,34 @@ void boxes_without_end(Suite& t) {
   });
 }
 
+void poses_of_the_wrong_length(Suite& t) {
+  t.example("a pose of more or fewer transforms than joints is refused, and the bound is as before", {}, [] {
+    const Model man = make_man();
+    const JointSets sets(man);
+    const Pose pose = reference_pose(man);
+    long tried = 0;
+    for (const Skinning skinning : all_skinnings) {
+      MotionBound bound(man, sets, skinning);
+      const Box<double> before = bound.box(pose, {});
+      for (const std::size_t count : {std::size_t(0), std::size_t(1), pose.size() - 1, pose.size() + 1, 2 * pose.size()}) {
+        Pose wrong = pose;
+        wrong.resize(count, pose[0]);
+        if (!gen::refuses<ModelError>([&] { bound.box(wrong, {}); }) ||
+            !gen::refuses<ModelError>([&] { bound.box(AffinePose(count), {}); }))
+          return Checked(false, tried, std::to_string(count) + " transforms");
+        tried += 2;
+      }
+      const Box<double> after = bound.box(pose, {});
+      if (after.low != before.low || after.high != before.high) return Checked(false, tried, "another box");
+    }
+    return Checked(true, tried);
+  });
+}
+
 }  // namespace
 
 PROPTEST(motion_bound) {
+  poses_of_the_wrong_length(t);
   boxes_hold_their_vertices(t);
   swept_vertices_rigid_poses_and_many_joints(t);
   boxes_of_a_walking_man(t);

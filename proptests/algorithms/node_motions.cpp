@@ -178,7 +178,7 @@ void check_lengths_of_images() {
   else if (cancels) offset.topRightCorner<3, 1>() = -(linear * v);
   Model model;
   model.vertices = {v};
-  const ImageLength made = is_displacement ? length_of_displacement(offset, v) : length_of_vertex(model, offset, 0);
+  const ImageLength made = is_displacement ? length_of_displacement(model, offset, 0, v) : length_of_vertex(model, offset, 0);
   Vec<Rational, 3> image, parts;
   for (int i = 0; i < 3; ++i) {
     const Rational moved = is_displacement ? Rational(0) : Rational(offset(i, 3));

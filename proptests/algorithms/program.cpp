@@ -1342,7 +1342,7 @@ void clips_of_one_name(Suite& t) {
                       info.out.find("#" + count + " move: ") != std::string::npos && named.code == 3 &&
                       named.errors.find("2 clips have this name: #1 is the first") != std::string::npos && first.code == 0 &&
                       last.code == 0 && first.out == alone.out && last.out == alone.out && none.code == 3 && zero.code == 3 &&
-                      none.errors.find("there is no such clip") != std::string::npos;
+                      none.errors.find("there is no such clip, but move, move") != std::string::npos;
     return Checked(good, 7, info.out + named.errors + first.errors + last.errors + none.errors);
   });
 }

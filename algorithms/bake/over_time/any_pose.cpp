@@ -62,7 +62,7 @@ class Ranges {
       const Eigen::Matrix4d& offset = model_.skeleton.joints[joints[k]].offset;
       ImageLength length = length_of_vertex(model_, offset, vertex);
       for (const auto& [weight, d] : displacements) {
-        const ImageLength more = length_of_displacement(offset, d);
+        const ImageLength more = length_of_displacement(model_, offset, vertex, d);
         length.computed += weight * more.computed, length.summed += weight * more.summed;
       }
       lengths.computed[k] = std::max(lengths.computed[k], length.computed);

@@ -135,7 +135,7 @@ MovingVertices::MovingVertices(const Model& model, const JointSets& sets, Skinni
     }
     const std::size_t all = kept + set.lost.size();
     set.distances.resize(all, 0), set.reaches.resize(all, 0);
-    for (Morph& morph : set.morphs) morph.lengths.resize(all, 0);
+    for (Morph& morph : set.morphs) morph.lengths.resize(all, 0), morph.reaches.resize(all, 0);
     for (const auto& [k, j] : moving) {
       const BoundJoint& joint = skeleton.joints[j];
       const ImageLength length = length_of_vertex(model, joint.offset, vertices_[i]);
@@ -147,9 +147,13 @@ MovingVertices::MovingVertices(const Model& model, const JointSets& sets, Skinni
     for (const Displacement& d : displacements_[i]) {
       auto morph = std::find_if(set.morphs.begin(), set.morphs.end(),
                                 [&](const Morph& known) { return known.mesh == d.mesh && known.target == d.target; });
-      if (morph == set.morphs.end()) morph = set.morphs.insert(morph, {d.mesh, d.target, std::vector<double>(all, 0)});
-      for (const auto& [k, j] : moving)
-        morph->lengths[k] = std::max(morph->lengths[k], length_of_displacement(skeleton.joints[j].offset, d.by).computed);
+      const std::vector<double> none(all, 0);
+      if (morph == set.morphs.end()) morph = set.morphs.insert(morph, {d.mesh, d.target, none, none});
+      for (const auto& [k, j] : moving) {
+        const ImageLength length = length_of_displacement(model, skeleton.joints[j].offset, vertices_[i], d.by);
+        morph->lengths[k] = std::max(morph->lengths[k], length.computed);
+        morph->reaches[k] = std::max(morph->reaches[k], length.summed);
+      }
     }
   }
   for (auto& [index, set] : by_index) sets_.push_back(std::move(set));
@@ -162,15 +166,15 @@ Point3 MovingVertices::displaced(int i, const PosedJoints& posed) const {
   return v;
 }
 
-Motion<double> MovingVertices::below(const Set& set, std::size_t k, const JointMotions& motions,
-                                     const std::vector<double>& lengths_of_reference) const {
-  std::vector<double> lengths;
+Motion<double> MovingVertices::below(const Set& set, std::size_t k, const JointMotions& motions, Lengths lengths) const {
+  const bool are_summed = lengths == Lengths::of_summands;
+  std::vector<double> displaced;
   std::vector<Motion<double>> weights;
   for (const Morph& morph : set.morphs) {
-    lengths.push_back(morph.lengths[k]);
+    displaced.push_back((are_summed ? morph.reaches : morph.lengths)[k]);
     weights.push_back(motions.weights[morph.mesh][morph.target]);
   }
-  return displaced_motion<double>(lengths_of_reference[k], lengths, weights);
+  return displaced_motion<double>((are_summed ? set.reaches : set.distances)[k], displaced, weights);
 }
 
 std::vector<int> MovingVertices::joints() const {
@@ -244,7 +248,7 @@ Motion<double> MovingVertices::linear_motion(const Set& set, const JointMotions&
   std::vector<Motion<double>> images;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const int node = model_.skeleton.joints[joints[k]].node;
-    images.push_back(or_unknown(carried_motion(motions.chains[node], below(set, k, motions, set.distances))));
+    images.push_back(or_unknown(carried_motion(motions.chains[node], below(set, k, motions, Lengths::of_images))));
   }
   return widest<double>(images);
 }
@@ -255,7 +259,7 @@ Motion<double> MovingVertices::dual_motion(const Set& set, const JointMotions& m
   std::vector<Motion<double>> images, turns;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const auto chain = chain_below(skeleton.nodes, motions.links, set.base, skeleton.joints[joints[k]].node);
-    images.push_back(or_unknown(carried_motion(chain, below(set, k, motions, set.distances))));
+    images.push_back(or_unknown(carried_motion(chain, below(set, k, motions, Lengths::of_images))));
     turns.push_back(or_unknown(chain.rotation));
   }
   const Motion<double> motion = refitlab::dual_motion<double>(images, turns, std::sqrt(squared_least));
@@ -366,7 +370,7 @@ bool MovingVertices::blends(const Set& set) const {
 
 double MovingVertices::farthest_image(const Set& set, std::size_t k, int joint, const JointCell& cell) const {
   const JointMotions& motions = *cell.motions[0];  // sizes are the same in all parameters
-  return carried_motion(motions.chains[model_.skeleton.joints[joint].node], below(set, k, motions, set.reaches)).size;
+  return carried_motion(motions.chains[model_.skeleton.joints[joint].node], below(set, k, motions, Lengths::of_summands)).size;
 }
 
 double MovingVertices::farthest_image(const Set& set, const JointCell& cell) const {

@@ -35,7 +35,8 @@ struct ErrorGrowth {
   double per_rounding = 0;
   // This is the same for each unit of the sum of the weights' absolute errors.
   double per_weight = 0;
-  // This is the error from the file's joints whose weights are rounded to 0 (LostInfluence), however far these carry the vertex.
+  // This is the error from the file's joints whose weights are rounded to 0 (LostInfluence), however far these carry the vertex. Signs of
+  // blended quaternions are those to the first joint that stays.
   double of_lost_influences = 0;
 
   // Raises each to the other's, if that is greater.
@@ -80,6 +81,7 @@ class MovingVertices {
   struct Morph {
     int mesh, target;
     std::vector<double> lengths;  // by joint: of the displacements in the joint's frame, at most
+    std::vector<double> reaches;  // by joint: the same by what these are summed up from, for rounding
   };
   // A Set is the vertices that one joint-set moves.
   struct Set {
@@ -95,9 +97,10 @@ class MovingVertices {
 
   // Returns a vertex before it is skinned, displaced by the weights of a moment.
   Point3 displaced(int i, const PosedJoints& posed) const;
-  // Returns the motion of the set's vertices in the frame of its k-th joint, before that moves. distances are their distances
-  // from the joints without displacements (a3_morph_displacement).
-  Motion<double> below(const Set& set, std::size_t k, const JointMotions& motions, const std::vector<double>& distances) const;
+  // Returns the motion of the set's vertices in the frame of its k-th joint, before that moves (a3_morph_displacement). Lengths are those
+  // of the images, or of what these are summed up from.
+  enum class Lengths { of_images, of_summands };
+  Motion<double> below(const Set& set, std::size_t k, const JointMotions& motions, Lengths lengths) const;
   Motion<double> linear_motion(const Set& set, const JointMotions& motions) const;
   // Returns the motion under dual quaternions whose blends have at least this squared length.
   Motion<double> dual_motion(const Set& set, const JointMotions& motions, double squared_least) const;

@@ -272,11 +272,17 @@ ImageLength length_of_vertex(const Model& model, const Eigen::Matrix4d& offset, 
   return out;
 }
 
-ImageLength length_of_displacement(const Eigen::Matrix4d& offset, const Point3& d) {
+ImageLength length_of_displacement(const Model& model, const Eigen::Matrix4d& offset, int vertex, const Point3& d) {
   const DefaultFloatEnvironment environment;
   const double summed = stretch_of(offset).most * norm<double, 3>(d);
   const Point3 image = offset.topLeftCorner<3, 3>() * d;
-  return {norm<double, 3>(image) + rounding_of_image * summed, summed};
+  ImageLength out{norm<double, 3>(image) + rounding_of_image * summed, summed};
+  for (const PlacedVertex& placed : placed_vertices(model, vertex)) {
+    const Eigen::Matrix4d& placement = model.placements[static_cast<std::size_t>(placed.placement)];
+    const Point3 own = placement.topLeftCorner<3, 3>().inverse() * d;
+    out.summed = std::max(out.summed, stretch_of(offset * placement).most * norm<double, 3>(own));
+  }
+  return out;
 }
 
 double growth_of_rounding(const Animation& animation, double start, double end) {

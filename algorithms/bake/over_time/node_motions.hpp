@@ -65,9 +65,9 @@ inline constexpr double rounding_of_image = 32 * std::numeric_limits<double>::ep
 struct ImageLength {
   double computed, summed;
 };
-// A vertex is also made of what the file's own offset and coordinates are, which a renderer begins with.
+// A vertex and its displacement by d are also made of what the file's own offset and coordinates are, which a renderer begins with.
 ImageLength length_of_vertex(const Model& model, const Eigen::Matrix4d& offset, int vertex);
-ImageLength length_of_displacement(const Eigen::Matrix4d& offset, const Point3& d);
+ImageLength length_of_displacement(const Model& model, const Eigen::Matrix4d& offset, int vertex, const Point3& d);
 
 // Returns how many times the rounding errors of splines' quaternions are those of a slerp's, from start to end as above. They are
 // greater because a spline's quaternion is shorter than its summands.

@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/body.hpp"
 
+#include <new>
+
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
 
 namespace refitlab {
 
-void Body::begin(const Pose& pose, const Deformation& deformation) {
+void Body::begin(const Pose& pose, const Deformation& deformation) try {
   const DefaultFloatEnvironment environment;
   check_pose(character_.mesh, pose);  // so that the frame before goes on if one of both is refused
   deform(deformation);
   palette_packs_.make(pose, palette_);
   palette_.measure();
   start();
+} catch (const std::bad_alloc&) {
+  lose_frame();
+  throw;
 }
 
-void Body::begin(const AffinePose& pose, const std::vector<double>& weights) {
+void Body::begin(const AffinePose& pose, const std::vector<double>& weights) try {
   if (skinning_ != Skinning::linear) {
     const auto [rigid, scales] = split(character_.mesh, pose);
     return begin(rigid, {weights, scales});
@@ -25,6 +30,9 @@ void Body::begin(const AffinePose& pose, const std::vector<double>& weights) {
   deform({weights, {}});
   make_skinning_palette(character_.mesh, character_.sets, pose, palette_);
   start();
+} catch (const std::bad_alloc&) {
+  lose_frame();
+  throw;
 }
 
 void Body::deform(const Deformation& deformation) {
@@ -38,6 +46,12 @@ void Body::deform(const Deformation& deformation) {
 void Body::start() {
   balls_.begin(palette_, is_deformed_ ? &*reference_ : nullptr);
   vertices_skinned_ = 0;
+  made_.begin();
+}
+
+// Some of what belongs to a frame is that of the next one already.
+void Body::lose_frame() {
+  balls_.end();
   made_.begin();
 }
 

@@ -54,7 +54,7 @@ void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placemen
   const SkinnedMesh& mesh = tree_.character().mesh;
   std::optional<Box<double>> bound;
   are_joints_placed_ = false;  // a frame before does without them if this one is refused
-  if (!deformation.is_none() || is_whole_expected_ || pose.size() != mesh.joints.size()) {
+  if (!deformation.is_none() || is_whole_expected_) {
     check_pose(mesh, pose);
   } else {
     bool is_rigid = true;

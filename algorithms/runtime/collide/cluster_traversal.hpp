@@ -42,12 +42,13 @@ class ClusterTraversal {
     Hits(ClusterTraversal& traversal, Body& body, int wide_node, const Box<float>& box)
         : stack_(traversal.hits_),
           first_(stack_.size()) {
+      const BoxBlock<float>* const boxes = body.wide_node_boxes(wide_node);  // which may throw, and nothing is on the stack yet
       const int count = body.tree().wide_nodes()[wide_node].child_count;
       traversal.counts_.ball_tests += count;
       stack_.resize(first_ + count);
-      count_ = traversal.kernels_.overlaps(body.wide_node_boxes(wide_node), count, box, stack_.data() + first_);
+      count_ = traversal.kernels_.overlaps(boxes, count, box, stack_.data() + first_);
       stack_.resize(first_ + count_);
-      if (traversal.pairs_.query() == Query::yes_no) put_deepest_first(body.wide_node_boxes(wide_node), box);
+      if (traversal.pairs_.query() == Query::yes_no) put_deepest_first(boxes, box);
     }
     ~Hits() { stack_.resize(first_); }
     Hits(const Hits&) = delete;

@@ -128,6 +128,7 @@ void MotionBound::add_about_centers(const Group& g, const Pose& pose, const Quat
 
 Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& placement, bool& is_rigid, Target target) {
   const DefaultFloatEnvironment environment;
+  check_joint_count(mesh_, pose.size());
   defect_.reset();
   MotionBoundBox bounds;
   motion_bound_kernels(target).bound(pose[0].rotation.data(), static_cast<int>(pose.size()), placement.rotation.data(),
@@ -152,6 +153,7 @@ Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& pla
 
 Box<double> MotionBound::box(const AffinePose& pose, const RigidTransform<double>& placement) const {
   const DefaultFloatEnvironment environment;
+  check_joint_count(mesh_, pose.size());
   AffinePose placed;
   for (const AffineMap<double>& map : pose) placed.push_back(turned(placement.rotation, map));
   auto box = Box<double>::empty();

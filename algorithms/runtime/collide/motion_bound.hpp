@@ -25,6 +25,7 @@ class MotionBound {
   // Returns a box in the world around everything that apply(placement, skin()) yields. pose and placement must be rigid, as
   // check_pose requires. The box is infinite where no bound is known: for dual quaternions more than half a turn apart, and for a
   // pose whose numbers are not finite or beyond 1e15 or whose rotations are not of unit length. Of the placement, nothing is checked.
+  // Throws ModelError for a pose of the wrong length.
   Box<double> box(const Pose& pose, const RigidTransform<double>& placement, Target target = best_target()) {
     bool is_rigid;
     return box(pose, placement, is_rigid, target);
@@ -33,7 +34,8 @@ class MotionBound {
   Box<double> box(const Pose& pose, const RigidTransform<double>& placement, bool& is_rigid, Target target = best_target());
 
   // Returns a box in the world around everything that apply(placement, skin()) yields, for linear skinning by affine joints. It
-  // looks at all joints in double (affine_boxes.hpp). pose must be as check_pose requires.
+  // looks at all joints in double (affine_boxes.hpp). pose must be as check_pose requires; throws
+  // ModelError for one of the wrong length.
   Box<double> box(const AffinePose& pose, const RigidTransform<double>& placement) const;
 
   // Makes boxes in the world around the targets of packs, in the pose and placement of the last call of box, whose result

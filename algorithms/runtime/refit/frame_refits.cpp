@@ -74,6 +74,11 @@ void FrameRefits::begin(const SkinningPalette<double>& palette, DeformedReferenc
   made_.begin();
 }
 
+void FrameRefits::end() {
+  palette_ = nullptr;
+  made_.begin();
+}
+
 void FrameRefits::require_frame() const {
   if (!palette_) throw std::logic_error(character_.mesh.name + ": no frame was begun");
 }

@@ -37,7 +37,10 @@ class FrameRefits {
   // the palette is not measured, or if it is one of affine joints and the skinning is not linear.
   void begin(const SkinningPalette<double>& palette, DeformedReference* reference = nullptr);
 
-  // Throws std::logic_error before the first frame.
+  // Ends the frame. Another one is to be begun before anything is asked for.
+  void end();
+
+  // Throws std::logic_error before the first frame, or after a frame has ended.
   void require_frame() const;
 
   // Returns a ball that encloses all vertices of the node in this frame's pose, if the variant is sound. The reference is

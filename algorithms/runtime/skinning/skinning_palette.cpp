@@ -24,17 +24,17 @@ Point3 shared_joint(const SkinnedMesh& mesh, std::span<const int> joints) {
   return mesh.joints[shared].origin;
 }
 
-void check_joint_count(const SkinnedMesh& mesh, std::size_t count) {
-  if (count != mesh.joints.size())
-    throw ModelError(mesh.name, "pose",
-                     "has " + std::to_string(count) + " transforms for " + std::to_string(mesh.joints.size()) + " joints");
-}
-
 [[noreturn]] void refuse(const SkinnedMesh& mesh, std::size_t joint, const char* reason) {
   throw ModelError(mesh.name, "pose, joint " + std::to_string(joint) + " (" + mesh.joints[joint].name + ")", reason);
 }
 
 }  // namespace
+
+void check_joint_count(const SkinnedMesh& mesh, std::size_t count) {
+  if (count != mesh.joints.size())
+    throw ModelError(mesh.name, "pose",
+                     "has " + std::to_string(count) + " transforms for " + std::to_string(mesh.joints.size()) + " joints");
+}
 
 void check_pose(const SkinnedMesh& mesh, const Pose& pose) {
   const DefaultFloatEnvironment environment;

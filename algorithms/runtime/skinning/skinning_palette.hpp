@@ -195,6 +195,9 @@ class SkinningPalette {
   std::vector<PaletteRoundings<S>> roundings_;
 };
 
+// Throws ModelError if a pose of so many transforms has the wrong length.
+void check_joint_count(const SkinnedMesh& mesh, std::size_t count);
+
 // Throws ModelError if pose has the wrong length, a number that is not finite, a translation beyond largest_coordinate, or
 // a rotation whose squared length differs from 1 by more than 1e-6.
 void check_pose(const SkinnedMesh& mesh, const Pose& pose);

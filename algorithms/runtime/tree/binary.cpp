@@ -31,7 +31,9 @@ BinaryReader opened(std::string_view bytes, std::string_view magic, std::uint32_
   std::uint32_t of_file = 0;
   in.number(of_file);
   if (of_file != version)
-    throw ModelError(file, "file", "is of version " + std::to_string(of_file) + ", not " + std::to_string(version));
+    throw ModelError(file, "file",
+                     "its " + what + " is of version " + std::to_string(of_file) + ", not " + std::to_string(version) +
+                         ", which is read: bake it again");
   std::uint64_t size = 0, checksum = 0;
   in.number(size), in.number(checksum);
   if (size > in.rest().size()) throw ModelError(file, "file", "ends early");
