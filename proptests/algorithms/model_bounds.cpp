@@ -753,11 +753,12 @@ void check_far_frame() {
 }
 
 // A joint whose offset makes nearly nothing of a direction, and a morph target that displaces vertices along it. What a renderer in float
-// rounds is a part of the displacements, not of their images.
+// rounds is a part of the displacements, not of their images; also where another mesh comes first, in whose frame the model is.
 void check_flattened_displacements() {
   const int power = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 9));
+  const bool is_placed = *rc::gen::arbitrary<bool>();
   const unsigned seed = drawn_seed();
-  RC_LOG() << "10^-" << power << " of a displacement is left, seed " << seed;
+  RC_LOG() << "10^-" << power << " of a displacement is left, " << (is_placed ? "placed, " : "") << "seed " << seed;
   RC_CLASSIFY(power == 0, "degenerate");
   Numbers random(seed);
   const Eigen::Matrix3d before = random.turn().toRotationMatrix(), after = random.turn().toRotationMatrix();
@@ -769,14 +770,25 @@ void check_flattened_displacements() {
   ScenePrimitive primitive{"part", {}, {{0, 1, 2}, {2, 3, 4}}, {}, {{}}};
   primitive.weights.assign(5, {{0, 1.0}});
   const float weight = 1 + static_cast<float>(seed % 4) / 2;
+  const double size = *rc::gen::element(1.0, 100.0, 1e4);
   std::vector<Point3> places;
   for (int v = 0; v < 5; ++v) {
-    const Eigen::Vector3f at = (1e-9 * random.vector()).cast<float>(), by = ((1 + 0.25 * v) * before.col(0)).cast<float>();
+    const Eigen::Vector3f at = (1e-9 * random.vector()).cast<float>(), by = (size * (1 + 0.25 * v) * before.col(0)).cast<float>();
     primitive.positions.push_back(at.cast<double>()), primitive.targets[0].push_back(by.cast<double>());
     places.push_back((flat * (at + weight * by)).cast<double>());
   }
+  if (is_placed) {
+    ScenePrimitive other{"other", {}, {{0, 1, 2}}, {}, {}};
+    other.weights.assign(3, {{0, 1.0}});
+    for (int i = 0; i < 3; ++i) other.positions.push_back(1e-9 * Point3::Unit(i)), places.push_back(other.positions.back());
+    scene.nodes.push_back({"other", -1, Eigen::Matrix4d::Identity()});
+    scene.skins.insert(scene.skins.begin(), {{0}, {Eigen::Matrix4d::Identity()}});
+    scene.meshes.push_back({{other}});
+    scene.shown.push_back({1, 0, 0, {}});
+    RC_TAG("placed");
+  }
   scene.meshes.push_back({{primitive}});
-  scene.shown.push_back({1, 0, 0, {weight}});
+  scene.shown.push_back({is_placed ? 2 : 1, is_placed, is_placed, {weight}});
   const Model model = model_of_scene(scene, {.joints = Joints::affine, .morphs = Morphs::moving});
   RC_ASSERT(holds(bound_model(model, {.cluster_triangles = 0}).rest[0], places));
   if (!holds(bound_model(model, {.cluster_triangles = 0, .renderer_rounding = 0}).rest[0], places)) RC_TAG("rounding is seen");
@@ -848,7 +860,10 @@ void blends_of_rotations(Suite& t) {
            .tags_at_least = {{"far", 0.2}, {"rounding is seen", 0.3}}},
           check_far_frame);
   t.holds("what a renderer in float rounds of displacements that a joint makes nearly nothing of puts no vertex outside",
-          {.number_type = "float", .cases = 300, .degenerate_at_most = 0.4, .tags_at_least = {{"rounding is seen", 0.3}}},
+          {.number_type = "float",
+           .cases = 300,
+           .degenerate_at_most = 0.4,
+           .tags_at_least = {{"rounding is seen", 0.3}, {"placed", 0.3}}},
           check_flattened_displacements);
   t.holds(
       "where two joints are half a turn apart, to within what a renderer in float rounds, the vertex is inside with either sign",
