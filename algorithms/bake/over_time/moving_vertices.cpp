@@ -147,8 +147,10 @@ MovingVertices::MovingVertices(const Model& model, const JointSets& sets, Skinni
     for (const Displacement& d : displacements_[i]) {
       auto morph = std::find_if(set.morphs.begin(), set.morphs.end(),
                                 [&](const Morph& known) { return known.mesh == d.mesh && known.target == d.target; });
-      const std::vector<double> none(all, 0);
-      if (morph == set.morphs.end()) morph = set.morphs.insert(morph, {d.mesh, d.target, none, none});
+      if (morph == set.morphs.end()) {
+        const std::vector<double> none(all, 0);
+        morph = set.morphs.insert(morph, {d.mesh, d.target, none, none});
+      }
       for (const auto& [k, j] : moving) {
         const ImageLength length = length_of_displacement(model, skeleton.joints[j].offset, vertices_[i], d.by);
         morph->lengths[k] = std::max(morph->lengths[k], length.computed);

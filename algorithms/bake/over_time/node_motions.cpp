@@ -134,11 +134,23 @@ Motion<double> during(double start, double end, const Motion<double>& motion) {
   return start < end ? motion : at_rest(motion.size);
 }
 
-ImageLength length_of_point(const Eigen::Matrix4d& offset, const Point3& v) {
-  const Eigen::Vector3d translation = offset.topRightCorner<3, 1>();
-  const double summed = stretch_of(offset).most * norm<double, 3>(v) + translation.norm();
-  const Point3 image = offset.topLeftCorner<3, 3>() * v + translation;
+// Takes homogeneous coordinates: of a point they end with 1, and of a displacement with 0.
+ImageLength length_of_image(const Eigen::Matrix4d& offset, const Eigen::Vector4d& v) {
+  const Eigen::Vector3d translation = offset.topRightCorner<3, 1>() * v[3];
+  const double summed = stretch_of(offset).most * norm<double, 3>(v.head<3>()) + translation.norm();
+  const Point3 image = offset.topLeftCorner<3, 3>() * v.head<3>() + translation;
   return {norm<double, 3>(image) + rounding_of_image * summed, summed};
+}
+
+// The file's own offset and coordinates differ from the model's where the vertex's mesh is placed.
+ImageLength length_of_image(const Model& model, const Eigen::Matrix4d& offset, int vertex, const Eigen::Vector4d& v) {
+  const DefaultFloatEnvironment environment;
+  ImageLength out = length_of_image(offset, v);
+  for (const PlacedVertex& placed : placed_vertices(model, vertex)) {
+    const Eigen::Matrix4d& placement = model.placements[static_cast<std::size_t>(placed.placement)];
+    out.summed = std::max(out.summed, length_of_image(offset * placement, placement.inverse() * v).summed);
+  }
+  return out;
 }
 
 }  // namespace
@@ -261,28 +273,11 @@ double defect_of(const BoundSkeleton& skeleton, const std::vector<Stretch>& link
 }
 
 ImageLength length_of_vertex(const Model& model, const Eigen::Matrix4d& offset, int vertex) {
-  const DefaultFloatEnvironment environment;
-  const Point3& v = model.vertices[static_cast<std::size_t>(vertex)];
-  ImageLength out = length_of_point(offset, v);
-  for (const PlacedVertex& placed : placed_vertices(model, vertex)) {
-    const Eigen::Matrix4d& placement = model.placements[static_cast<std::size_t>(placed.placement)];
-    const Point3 own = (placement.inverse() * v.homogeneous()).head<3>();
-    out.summed = std::max(out.summed, length_of_point(offset * placement, own).summed);
-  }
-  return out;
+  return length_of_image(model, offset, vertex, model.vertices[static_cast<std::size_t>(vertex)].homogeneous());
 }
 
 ImageLength length_of_displacement(const Model& model, const Eigen::Matrix4d& offset, int vertex, const Point3& d) {
-  const DefaultFloatEnvironment environment;
-  const double summed = stretch_of(offset).most * norm<double, 3>(d);
-  const Point3 image = offset.topLeftCorner<3, 3>() * d;
-  ImageLength out{norm<double, 3>(image) + rounding_of_image * summed, summed};
-  for (const PlacedVertex& placed : placed_vertices(model, vertex)) {
-    const Eigen::Matrix4d& placement = model.placements[static_cast<std::size_t>(placed.placement)];
-    const Point3 own = placement.topLeftCorner<3, 3>().inverse() * d;
-    out.summed = std::max(out.summed, stretch_of(offset * placement).most * norm<double, 3>(own));
-  }
-  return out;
+  return length_of_image(model, offset, vertex, {d[0], d[1], d[2], 0});
 }
 
 double growth_of_rounding(const Animation& animation, double start, double end) {

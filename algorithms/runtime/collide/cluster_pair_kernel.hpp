@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // These kernels look for pairs of triangles of two clusters that were skinned in float.
 //
-// Triangles of each cluster are culled against the box that both have in common. Those left are candidates, whose boxes are
-// compared all with all, and pairs whose boxes meet are filtered (triangles_filter.hpp). Floats are off by a slack; so a box
-// that is compared is grown by it first. Nothing is culled or told apart that is not apart for certain, and a NaN never is.
+// Triangles of each cluster are culled against the box that both have in common, those of the second one also against the box
+// around what is left of the first. Those left are candidates, whose boxes are compared all with all, and pairs whose boxes meet
+// are filtered (triangles_filter.hpp). Floats are off by a slack; so a box that is compared is grown by it first. Nothing is
+// culled or told apart that is not apart for certain, and a NaN never is.
 #pragma once
 
 #include <cstdint>

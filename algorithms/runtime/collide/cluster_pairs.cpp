@@ -98,28 +98,30 @@ void ClusterPairs::add(int a, int b) {
   const float slack = std::max(of_a.slack, of_b.slack + lost_);
   // A point of both clusters is in both boxes.
   Box<float> common = of_a.box;
-  for (int i = 0; i < 3; ++i) {
-    common.low[i] = max_of(common.low[i], box_b.low[i]), common.high[i] = min_of(common.high[i], box_b.high[i]);
-  }
-  Box<float> common_of_b = moved_back(common);
-  common.grow(slack), common_of_b.grow(slack);
+  const auto cut_to = [&](const Box<float>& box) {
+    for (int i = 0; i < 3; ++i)
+      common.low[i] = max_of(common.low[i], box.low[i]), common.high[i] = min_of(common.high[i], box.high[i]);
+  };
+  cut_to(box_b);
+  common.grow(slack);
   const ClusterTriangles triangles_a = first_.tree().cluster_triangles(a), triangles_b = second_.tree().cluster_triangles(b);
   const int places_a = first_.tree().clusters()[a].padded_vertex_count,
             places_b = second_.tree().clusters()[b].padded_vertex_count;
   const CandidateArrays candidates_a = arrays_of(scratch_.first), candidates_b = arrays_of(scratch_.second);
-  int count_a = kernels_.cull(triangles_a, of_a.xyz(), places_a, common, candidates_a);
-  if (count_a == 0) return;
-  int count_b = kernels_.cull(triangles_b, of_b.xyz(), places_b, common_of_b, candidates_b);
-  if (count_b == 0) return;
-  // Each body keeps the candidates whose boxes meet the box around the other's candidates.
   constexpr float none[3] = {};
   Box<float> all_a, all_b;
+  int count_a = kernels_.cull(triangles_a, of_a.xyz(), places_a, common, candidates_a);
+  if (count_a == 0) return;
   kernels_.place(triangles_a, of_a.xyz(), places_a, none, count_a, candidates_a, all_a);
+  // The second body's triangles are culled against the candidates of the first, and these against what is left of those.
+  all_a.grow(2 * slack);
+  cut_to(all_a);
+  const int count_b = kernels_.cull(triangles_b, of_b.xyz(), places_b, moved_back(common), candidates_b);
+  if (count_b == 0) return;
   kernels_.place(triangles_b, of_b.xyz(), places_b, offset_, count_b, candidates_b, all_b);
-  all_a.grow(2 * slack), all_b.grow(2 * slack);
-  count_b = kernels_.keep(count_b, all_a, candidates_b);
+  all_b.grow(2 * slack);
   count_a = kernels_.keep(count_a, all_b, candidates_a);
-  if (count_a == 0 || count_b == 0) return;
+  if (count_a == 0) return;
   // The candidates of one body are taken one by one, and those of the other in whole blocks. Which is which is chosen so that
   // there is less to compare.
   constexpr int block = Lanes<float>::count;
