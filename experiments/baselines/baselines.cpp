@@ -13,6 +13,9 @@ std::vector<DetectorKind> baseline_kinds() {
        "skins everything in float, clusters of 256 triangles with their boxes in the same registers; clusters whose boxes meet "
        "are culled and filtered in float, and only what that leaves unknown is decided on vertices in double",
        baseline, make_skin_all_float},
+      {"skin_all_float_512",
+       "the same with clusters of 512 triangles, which are fewer to skin and to compare, but more loosely boxed", baseline,
+       make_skin_all_float_512},
       {"cgal_aabb", "CGAL's AABB_tree of the first body, rebuilt, asked with the second one's triangles' boxes", baseline,
        make_cgal_aabb},
       {"spatial_hash",

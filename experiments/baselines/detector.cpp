@@ -9,6 +9,7 @@ const char* name_of(Origin origin) {
     case Origin::baseline: return "baseline";
     case Origin::engine: return "engine";
     case Origin::bounded: return "bounded";
+    case Origin::floor: return "floor";
     case Origin::oracle: break;
   }
   return "oracle";

@@ -69,6 +69,7 @@ enum class Origin {
   baseline,  // skins everything; written here
   engine,    // skins everything for a general-purpose engine
   bounded,   // a baseline or an engine that is asked only where the characters' bounds meet
+  floor,     // no detector: it is told beforehand where to look
   oracle     // tries all pairs; no detector, but a row of results
 };
 

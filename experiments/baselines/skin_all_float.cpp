@@ -44,7 +44,10 @@ class SkinnedBody {
 
 class SkinAllFloat : public Detector {
  public:
-  explicit SkinAllFloat(const Character& character) : tree_(character), first_(tree_), second_(tree_) {}
+  SkinAllFloat(const Character& character, const ClusterOptions& options)
+      : tree_(character, options),
+        first_(tree_),
+        second_(tree_) {}
 
   void palette(const ScenarioFrame& frame) override {
     check_pose(tree_.character().mesh, frame.first), check_pose(tree_.character().mesh, frame.second);
@@ -89,6 +92,11 @@ class SkinAllFloat : public Detector {
 
 }  // namespace
 
-std::unique_ptr<Detector> make_skin_all_float(const Character& character) { return std::make_unique<SkinAllFloat>(character); }
+std::unique_ptr<Detector> make_skin_all_float(const Character& character) {
+  return std::make_unique<SkinAllFloat>(character, ClusterOptions{});
+}
+std::unique_ptr<Detector> make_skin_all_float_512(const Character& character) {
+  return std::make_unique<SkinAllFloat>(character, ClusterOptions{.most_triangles = 512});
+}
 
 }  // namespace refitlab

@@ -5,6 +5,7 @@
 
 #include "experiments/baselines/baselines.hpp"
 #include "experiments/collisions/clusters.hpp"
+#include "experiments/collisions/floors.hpp"
 #include "experiments/collisions/on_demand.hpp"
 
 namespace refitlab {
@@ -15,7 +16,7 @@ const std::vector<DetectorKind>& detector_kinds() {
     std::vector<DetectorKind> bounded;
     for (const auto& others : {baseline_kinds(), engine_kinds()})
       for (const DetectorKind& kind : others) bounded.push_back(bounded_kind(kind));
-    for (const auto& more : {cluster_kinds(), baseline_kinds(), engine_kinds(), bounded})
+    for (const auto& more : {cluster_kinds(), baseline_kinds(), engine_kinds(), bounded, floor_kinds()})
       kinds.insert(kinds.end(), more.begin(), more.end());
     return kinds;
   }();

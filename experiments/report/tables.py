@@ -55,7 +55,7 @@ pose_kind = one_of("clip", "twist", "worst_twist")
 skinning = one_of("linear", "spherical", "dual_quaternion")
 LONG = {"experiment": text, "model": text, "pose": text, "variant": text, "level": level, "quantity": text,
         "value": number, "unit": one_of(*UNITS)}
-ORIGIN = one_of("own", "baseline", "engine", "bounded", "oracle")
+ORIGIN = one_of("own", "baseline", "engine", "bounded", "floor", "oracle")
 SCHEMAS = {
     "tightness": {**LONG, "pose_kind": pose_kind, "poses": count},
     "volumes": {**LONG, "pose_kind": pose_kind, "poses": count},
