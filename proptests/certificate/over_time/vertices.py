@@ -13,7 +13,7 @@ from .nodes import target_count
 from .rejected import require
 
 
-LIGHTEST = 2.0 ** -23  # weights that are not more count apart: refitlab rounds them
+UNITS = 2.0 ** 24  # weights become so many parts of 1 in all
 
 
 class Primitive:
@@ -38,13 +38,28 @@ class Vertices:
         require(tables, "the file shows no mesh")
         self.positions = joined([table[0] for table in tables])
         self.influences = joined_pairs([table[1] for table in tables])  # vertex, joint, weight
-        self.is_heavy = self.influences[2].high > LIGHTEST
+        self.is_heavy = self.heavy_influences()
         self.joint_sets = self.sets_of_heavy(np.concatenate([table[3] for table in tables]))
         self.displacements = joined_pairs([table[2] for table in tables])  # vertex, target, displacement
         self.per_vertex = sum(np.bincount(pairs[0], minlength=self.count) for pairs in (self.influences, self.displacements))
 
+    def heavy_influences(self):
+        """Those whose joints have a weight after refitlab's rounding: each share of a vertex is rounded down to a multiple of a unit,
+        and what is missing goes to the largest remainders, a unit each. Bounds are made for these joints, and the others only add to
+        them. Whichever are taken for light, what is accepted is true."""
+        vertex, joint, share = self.influences
+        out = np.ones(len(vertex), bool)
+        for v in np.unique(vertex[share.high < 1 / UNITS]):
+            start, end = np.searchsorted(vertex, [v, v + 1])
+            _, of_joint = np.unique(joint[start:end], return_inverse=True)
+            exact = np.bincount(of_joint, share[start:end].middle_and_error()[0]) * UNITS
+            units = np.floor(exact)
+            units[np.argsort(units - exact, kind="stable")[:int(UNITS - units.sum())]] += 1
+            out[start:end] = (units > 0)[of_joint]
+        return out
+
     def sets_of_heavy(self, owner):
-        """By vertex: the number of the set of joints that have more weight than next to none, and of the mesh that is morphed."""
+        """By vertex: the number of the set of joints that have a weight, and of the mesh that is morphed."""
         vertex, joint = self.influences[0][self.is_heavy], self.influences[1][self.is_heavy]
         order = np.lexsort((joint, vertex))
         ends = np.cumsum(np.bincount(vertex, minlength=self.count))
