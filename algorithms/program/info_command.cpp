@@ -7,6 +7,9 @@
 #include "algorithms/program/command.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/mesh/joint_sets.hpp"
+#include "algorithms/runtime/tree/baked_file.hpp"
+#include "algorithms/runtime/tree/binary.hpp"
+#include "algorithms/runtime/tree/glb_file.hpp"
 
 namespace refitlab {
 namespace {
@@ -20,6 +23,28 @@ std::string rigid_or_why(const Clip& clip) {
     return "rigid";
   } catch (const ModelError& e) {
     return std::string("not rigid: ") + e.what();
+  }
+}
+
+// Says what refitlab's chunk in a binary glTF file has, if there is one.
+void print_baked(const std::string& file, std::ostream& out) {
+  const std::string bytes = read_bytes(file);
+  if (!bytes.starts_with("glTF")) return;
+  for (const GlbChunk& chunk : read_glb(bytes, file)) {
+    if (chunk.type != refitlab_chunk) continue;
+    const BakedFile baked = baked_of(chunk.data, file);
+    const ClusterBounds& bounds = baked.clusters;
+    out << "  baked         for " << name_of(baked.skinning) << " skinning: " << bounds.clusters.size() << " clusters";
+    if (bounds.dop > 6) out << " in " << bounds.dop << "-DOPs";
+    if (!bounds.crossfades.empty())
+      out << ", " << bounds.crossfades.size() << " crossfades by "
+          << (baked.rotations == RotationBlend::nlerp ? "nlerp" : "slerp");
+    if (!baked.character) out << ", no character";
+    else {
+      out << ", a character of " << baked.character->tree.nodes.size() << " nodes";
+      if (!bounds.clips[0].nodes.empty()) out << " with bounds over time";
+    }
+    out << '\n';
   }
 }
 
@@ -55,6 +80,7 @@ int run_info(const std::vector<std::string>& arguments, std::ostream& out, std::
     out << "    #" << ++number << ' ' << printable(clip.name) << ": " << format_number(clip.duration) << " s, " << keys
         << " keys, " << rigid_or_why(clip) << '\n';
   }
+  print_baked(file, out);
   print_notes(model.name, model.notes, out);
   return exit_done;
 }

@@ -605,6 +605,29 @@ void info_counts_what_is_in_a_file(Suite& t) {
   });
 }
 
+void info_says_what_was_baked(Suite& t) {
+  t.example("info says of a baked file what was baked, and of others nothing", {}, [] {
+    std::string wrong;
+    const auto expect = [&](const std::vector<std::string>& options, const std::string& line) {
+      const Rich rich(false, false, options);
+      const std::string out = rich.folder.file("out.glb");
+      const Called info = call({"info", out});
+      const BakedFile baked = read_baked(out);
+      const std::string nodes = baked.character ? std::to_string(baked.character->tree.nodes.size()) : "no";
+      std::string text =
+          "\n  baked         for linear skinning: " + std::to_string(baked.clusters.clusters.size()) + " clusters" + line;
+      if (const std::size_t at = text.find('N'); at != std::string::npos) text.replace(at, 1, nodes);
+      if (info.code != 0 || info.out.find(text + '\n') == std::string::npos) wrong += text + ": " + info.out + info.errors;
+      if (call({"info", rich.folder.file("in.glb")}).out.find("baked") != std::string::npos)
+        wrong += "a file that was not baked; ";
+    };
+    expect({}, ", a character of N nodes");
+    expect({"--dop", "14", "--no-character"}, " in 14-DOPs, no character");
+    expect({"--nodes"}, ", a character of N nodes with bounds over time");
+    return Checked(wrong.empty(), 6, wrong);
+  });
+}
+
 void what_a_summary_says(Suite& t) {
   t.example("a summary is of its file, and has the clips that there are, none of a file without", {}, [] {
     const Rich rich(true, true);
@@ -1489,6 +1512,7 @@ PROPTEST(program) {
   crossfades_of_three_clips(t);
   info_says_which_clips_are_rigid(t);
   info_counts_what_is_in_a_file(t);
+  info_says_what_was_baked(t);
   what_a_summary_says(t);
   what_is_said_of_a_file(t);
   what_sampling_misses(t);

@@ -18,7 +18,8 @@ rc::Gen<WidePlan> wide_plan(int least_exponent, int greatest_exponent) {
     plan.joints = *rc::gen::element(2, 3, 4, 5, 8, 17, 90, 90, 1);
     plan.influences = *rc::gen::element(plan.joints, plan.joints, std::min(plan.joints, full(2, 4)), std::min(plan.joints, 5), 1);
     plan.vertices = full(3, 16);
-    plan.exponent = *rc::gen::element(0, full(least_exponent, greatest_exponent), least_exponent, greatest_exponent);
+    const int any = full(least_exponent, greatest_exponent);
+    plan.exponent = *rc::gen::element(0, any, any, least_exponent, greatest_exponent);
     plan.lengths = full(0, 2);
     plan.turn = *rc::gen::element(0.3, 1.0, 1e-4, 10.0, 0.0);
     plan.seed = *rc::gen::arbitrary<unsigned>();

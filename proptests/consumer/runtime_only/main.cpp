@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 // Reads a baked character, by itself and from a glTF file, bends it, and asks which triangles of two of it touch: what a game does,
 // with nothing but the runtime. Exits with 1 if the answer is not that of bodies that stand in each other, and beside each other.
 #include <cmath>
