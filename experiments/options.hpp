@@ -39,7 +39,7 @@ struct Options {
   SpeedSettings speed{.seconds_per_run = 0.01, .repetitions = 3};
   VolumeSettings volumes{.times_per_clip = 3, .nodes_per_level = 32, .speed = speed};
   RoundingSettings rounding{.poses = 1, .vertices_per_node = 1, .speed = speed};
-  CollisionSettings collisions{.frames = 1, .speed = {.seconds_per_run = 0.001, .repetitions = 1}};
+  CollisionSettings collisions{.frames = 1, .speed = {.seconds_per_run = 0.001, .repetitions = 5}};
   TriangleGrowthSettings triangles{.frames = 1, .subdivisions = 1, .speed = {.seconds_per_run = 0.002, .repetitions = 3}};
   SyntheticSettings synthetic{.count = 2000};
   OverTimeSettings over_time{.random_times = 100, .halvings = 4, .exact_checks = 4, .clips = 2};
