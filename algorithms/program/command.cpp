@@ -98,6 +98,8 @@ const char* name_of(Skinning skinning) {
   return "hejl";
 }
 
+const char* name_of(RotationBlend rotations) { return rotations == RotationBlend::slerp ? "slerp" : "nlerp"; }
+
 Skinning skinning_of(const std::string& name) {
   std::string names;
   for (const auto& [known, value] : skinning_names) {

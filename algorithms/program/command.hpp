@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algorithms/model/model.hpp"
+#include "algorithms/runtime/skinning/rotation_blend.hpp"
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
 
 namespace refitlab {
@@ -53,6 +54,8 @@ bool is_standard_output(const std::string& path);
 // Returns the name that --skinning takes.
 const char* name_of(Skinning skinning);
 Skinning skinning_of(const std::string& name);  // throws UsageError
+// Returns the name that --rotations takes.
+const char* name_of(RotationBlend rotations);
 
 // Returns a text of a file as it is printed: with "\\x1b" and such for control characters, so that it stays on its line.
 std::string printable(const std::string& text);

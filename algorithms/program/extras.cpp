@@ -22,7 +22,7 @@ Json header(const ModelBounds& bounds, const ModelBoundsOptions& options) {
   Json out = {{"version", extras_version}, {"skinning", name_of(bounds.skinning)}, {"tolerance", options.tolerance}};
   if (!bounds.crossfades.empty()) {
     out["crossfade_tolerance"] = options.crossfade_tolerance;
-    out["rotations"] = bounds.rotations == RotationBlend::slerp ? "slerp" : "nlerp";
+    out["rotations"] = name_of(bounds.rotations);
   }
   if (Json directions = json_of_directions<Json>(bounds.dop); !directions.empty()) out["directions"] = std::move(directions);
   return out;

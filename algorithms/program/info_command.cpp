@@ -36,9 +36,7 @@ void print_baked(const std::string& file, std::ostream& out) {
     const ClusterBounds& bounds = baked.clusters;
     out << "  baked         for " << name_of(baked.skinning) << " skinning: " << bounds.clusters.size() << " clusters";
     if (bounds.dop > 6) out << " in " << bounds.dop << "-DOPs";
-    if (!bounds.crossfades.empty())
-      out << ", " << bounds.crossfades.size() << " crossfades by "
-          << (baked.rotations == RotationBlend::nlerp ? "nlerp" : "slerp");
+    if (!bounds.crossfades.empty()) out << ", " << bounds.crossfades.size() << " crossfades by " << name_of(baked.rotations);
     if (!baked.character) out << ", no character";
     else {
       out << ", a character of " << baked.character->tree.nodes.size() << " nodes";
