@@ -26,13 +26,13 @@ const Clip* find_clip(const Model& model, const std::string& name) {
   throw std::invalid_argument(model.name + ": no clip named '" + name + "'" + known);
 }
 
-// A Moment is a pose of a model, and its name in a sentence.
-struct Moment {
+// A CertifiedMoment is a pose of a model, and its name in a sentence.
+struct CertifiedMoment {
   DeformedPose pose;
   std::string name;
 };
 
-Moment moment_of(const Model& model, const CertificateRequest& request) {
+CertifiedMoment moment_of(const Model& model, const CertificateRequest& request) {
   const Clip* clip = find_clip(model, request.clip);
   if (clip && !(request.seconds >= 0 && request.seconds <= clip->duration))
     throw std::invalid_argument(model.name + ", clip " + clip->name + ": it takes " + format_number(clip->duration) +

@@ -28,8 +28,8 @@ enum : int {
 
 const double half = std::sqrt(0.5);
 // A spline of rotations: tangent in, value and tangent out, x y z w. Its keys are off unit length, as bytes would be.
-const std::vector<std::array<float, 4>> turn = {{0, 0, 0, 0},         {0, 0, 0, 0.996f},    {0.5f, 0.25f, 0, 0.125f},
-                                                {0, -0.25f, 0.5f, 0}, {0.6f, 0, 0, 0.805f}, {0, 0, 0, 0}};
+const std::vector<std::array<float, 4>> bone_turn = {{0, 0, 0, 0},         {0, 0, 0, 0.996f},    {0.5f, 0.25f, 0, 0.125f},
+                                                     {0, -0.25f, 0.5f, 0}, {0.6f, 0, 0, 0.805f}, {0, 0, 0, 0}};
 const std::vector<double> default_weights = {0.5, 0.25}, last_weights = {1, -0.5};
 
 Matrix4d transform(const Vector3d& translation, const Eigen::Quaterniond& rotation, const Vector3d& scale) {
@@ -131,7 +131,7 @@ Matrix4d RichGltf::local(int node, double t) const {
                               3 * s * s - 2 * s * s * s};
       Eigen::Vector4d turned = Eigen::Vector4d::Zero();
       for (int k = 0; k < 4; ++k)
-        for (int i = 0; i < 4; ++i) turned[i] += parts[k] * double(turn[1 + k][i]);
+        for (int i = 0; i < 4; ++i) turned[i] += parts[k] * double(bone_turn[1 + k][i]);
       return transform(parts[0] * from + parts[1] * out + parts[3] * to + parts[2] * into,
                        turning_ ? Eigen::Quaterniond(turned).normalized() : still, ones);
     }
@@ -263,7 +263,7 @@ void RichGltf::add_clip() {
   };
   const std::vector<std::array<float, 3>> spline = {{0, 0, 0}, {0, 1, 0}, {1, 0, 2}, {0, 1, -1}, {1, 1, 0.5f}, {0, 0, 0}};
   add(bone_node, "translation", {0, 2}, file.add_accessor(spline, "VEC3", gltf_float), "CUBICSPLINE");
-  if (turning_) add(bone_node, "rotation", {0, 2}, file.add_accessor(turn, "VEC4", gltf_float), "CUBICSPLINE");
+  if (turning_) add(bone_node, "rotation", {0, 2}, file.add_accessor(bone_turn, "VEC4", gltf_float), "CUBICSPLINE");
   const std::vector<std::array<std::int16_t, 4>> turns = {{0, 0, 0, 32767}, {0, 0, 23170, 23170}, {0, 0, 0, 32767}};
   add(second_bone_node, "rotation", {0, 1, 2}, add_normalized(file, file.add_accessor(turns, "VEC4", gltf_short)), "LINEAR");
   const float cosine = static_cast<float>(std::sqrt(0.75));
