@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/runtime/balls/box.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <span>
 #include <vector>
 
 #include "algorithms/model/model.hpp"
-#include "algorithms/runtime/collide/box_block.hpp"
-#include "algorithms/runtime/collide/flipped_box.hpp"
+#include "algorithms/runtime/batch/float_palette.hpp"
+#include "algorithms/runtime/collide/box_kernel.hpp"
 #include "proptests/harness.hpp"
 
 namespace proptests::suite_box {
@@ -69,6 +71,112 @@ void boxes_in_blocks(Suite& t) {
   });
 }
 
+// Some flipped boxes, how large their coordinates are at most, and what they may be off by.
+struct Flipped {
+  std::vector<FlippedBox> boxes;
+  float largest = 0;
+  double lost = 0;
+};
+
+Flipped some_flipped_boxes(std::mt19937& random, float scale, bool are_points) {
+  Flipped out;
+  out.boxes.resize(std::uniform_int_distribution<std::size_t>(1, 40)(random));
+  out.lost = scale * std::array{0.0, 1e-300, 1e-7, 1.0, 1e3}[random() % 5];
+  std::uniform_real_distribution<float> within(-scale, scale), wide(0, are_points ? 0 : scale);
+  for (FlippedBox& box : out.boxes) {
+    box.set_all(std::numeric_limits<float>::infinity());  // as the unused numbers stay
+    for (int i = 0; i < 3; ++i) {
+      box.of[i] = within(random), box.of[4 + i] = -(box.of[i] + wide(random));
+      out.largest = std::max({out.largest, std::abs(box.of[i]), std::abs(box.of[4 + i])});
+    }
+  }
+  return out;
+}
+
+// Whether the grown box holds the flipped one with all that it may be off by, and four roundings more, and is no larger than that asks for.
+bool is_grown(const Box<float>& grown, const Box<double>& box, const Flipped& of) {
+  constexpr double rounding = 0x1p-24;
+  const auto is_beyond = [&](double side, double inner) {
+    const double by = inner - side;
+    return by - 4 * rounding * std::abs(side) >= of.lost * (1 - 8 * rounding) &&
+           by <= of.lost * (1 + 4 * rounding) + 14 * rounding * of.largest + 2 * least_float_slack;
+  };
+  bool ok = true;
+  for (int i = 0; i < 3; ++i) ok = ok && is_beyond(grown.low[i], box.low[i]) && is_beyond(-grown.high[i], -box.high[i]);
+  return ok;
+}
+
+void grown_boxes(Suite& t) {
+  t.holds(
+      "flipped boxes are put into blocks grown by what they may be off by and little more, in a box around all, on every target",
+      {.number_type = "float", .cases = 1000, .degenerate_at_least = 0.2}, [] {
+        std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+        const float scale = *rc::gen::element(0.f, 1e-42f, 1e-30f, 1e-3f, 1.f, 1e15f, 1e30f);
+        const bool are_points = *rc::gen::element(true, false, false);
+        RC_CLASSIFY(are_points || scale == 0, "degenerate");
+        const Flipped given = some_flipped_boxes(random, scale, are_points);
+        const int count = static_cast<int>(given.boxes.size());
+        Box<float> first_whole;
+        for (const Target target : available_targets()) {
+          std::vector<BoxBlock<float>> blocks(static_cast<std::size_t>(count + 7) / 8);
+          Box<float> whole;
+          RC_ASSERT(
+              box_kernels(target).put_grown(given.boxes.data(), count, given.lost + least_float_slack, blocks.data(), whole));
+          auto around = Box<float>::empty();
+          for (int i = 0; i < count; ++i) {
+            const Box<float> box = get_box(blocks.data(), i);
+            RC_ASSERT(is_grown(box, given.boxes[static_cast<std::size_t>(i)].box(), given));
+            around.merge(box);
+          }
+          RC_ASSERT(around.low == whole.low && around.high == whole.high);
+          if (target == available_targets()[0]) first_whole = whole;
+          RC_ASSERT(whole.low == first_whole.low && whole.high == first_whole.high);
+        }
+      });
+  t.holds(
+      "they are not put there if one of them, or what they are off by, is undefined, infinite or nearly beyond the range of "
+      "float",
+      {.number_type = "float", .cases = 300}, [] {
+        std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+        Flipped given = some_flipped_boxes(random, 1, false);
+        const int count = static_cast<int>(given.boxes.size()), place = static_cast<int>(random() % 7);
+        constexpr float infinity = std::numeric_limits<float>::infinity();
+        const float bad = *rc::gen::element(float(nan), -infinity, infinity, -1.001f * largest_box);
+        if (place < 6) given.boxes[random() % given.boxes.size()].of[place + place / 3] = bad;
+        else given.lost = std::abs(double(bad));
+        for (const Target target : available_targets()) {
+          std::vector<BoxBlock<float>> blocks(static_cast<std::size_t>(count + 7) / 8, BoxBlock<float>{});
+          Box<float> whole{Vec<float, 3>::Constant(7), Vec<float, 3>::Constant(8)};
+          RC_ASSERT(!box_kernels(target).put_grown(given.boxes.data(), count, given.lost, blocks.data(), whole));
+          RC_ASSERT(whole.low[0] == 7 && whole.high[2] == 8 && blocks[0].side[0][0] == 0);
+        }
+      });
+}
+
+void flipped_boxes(Suite& t) {
+  t.example("a flipped box is the union of the lanes that are merged into it", {}, [] {
+    using P = Pack<float>;
+    constexpr int width = static_cast<int>(P::size());
+    const Point3 points[] = {{1, -2, 3}, {-4, 5, 0}, {2, 2, -6}};
+    FlippedBox boxes[2];
+    for (FlippedBox& b : boxes) b.set_all(std::numeric_limits<float>::infinity());
+    int target[width];
+    Box<double> expected[2] = {Box<double>::empty(), Box<double>::empty()};
+    Box<P> lanes;
+    for (int lane = 0; lane < width; ++lane) {
+      const Point3 p = points[lane % 3] * (1.0 + lane);
+      for (int i = 0; i < 3; ++i) lanes.low[i][lane] = float(p[i]), lanes.high[i][lane] = float(p[i] + i);
+      target[lane] = lane % 2;
+      expected[lane % 2].merge(Box<double>{p, p + Point3(0, 1, 2)});
+    }
+    merge_lanes(lanes, target, boxes);
+    const bool merged = same(boxes[0].box(), expected[0]) && same(boxes[1].box(), expected[1]);
+    boxes[0].set_all(-std::numeric_limits<float>::infinity());
+    return merged && same(boxes[0].box(), Box<double>::everything());
+  });
+  grown_boxes(t);
+}
+
 }  // namespace
 
 PROPTEST(box) {
@@ -119,25 +227,7 @@ PROPTEST(box) {
     return Checked(ok, 27);
   });
   boxes_in_blocks(t);
-  t.example("a flipped box is the union of the lanes that are merged into it", {}, [=] {
-    using P = Pack<float>;
-    constexpr int width = static_cast<int>(P::size());
-    FlippedBox boxes[2];
-    for (FlippedBox& b : boxes) b.set_all(std::numeric_limits<float>::infinity());
-    int target[width];
-    Box<double> expected[2] = {Box<double>::empty(), Box<double>::empty()};
-    Box<P> lanes;
-    for (int lane = 0; lane < width; ++lane) {
-      const Point3 p = points[lane % 3] * (1.0 + lane);
-      for (int i = 0; i < 3; ++i) lanes.low[i][lane] = float(p[i]), lanes.high[i][lane] = float(p[i] + i);
-      target[lane] = lane % 2;
-      expected[lane % 2].merge(Box<double>{p, p + Point3(0, 1, 2)});
-    }
-    merge_lanes(lanes, target, boxes);
-    const bool merged = same(boxes[0].box(), expected[0]) && same(boxes[1].box(), expected[1]);
-    boxes[0].set_all(-std::numeric_limits<float>::infinity());
-    return merged && same(boxes[0].box(), Box<double>::everything());
-  });
+  flipped_boxes(t);
 }
 
 }  // namespace proptests::suite_box

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/runtime/collide/motion_bound_packs.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <random>
 
@@ -46,19 +47,34 @@ bool holds(const Box<double>& box, const std::vector<Point3>& points, std::span<
 // Of some nodes, by their position.
 struct NodeMotionBound {
   std::vector<MotionBoundPiecePack> packs;
-  std::vector<FlippedBox> scratch;
-  std::vector<Box<double>> boxes;
+  std::vector<FlippedBox> turned;
+  std::vector<Box<double>> boxes;  // in the world
 
+  NodeMotionBound(std::vector<MotionBoundPiecePack> bounds, std::size_t count)
+      : packs(std::move(bounds)),
+        turned(count),
+        boxes(count) {}
   NodeMotionBound(const Character& c, const std::vector<int>& nodes)
-      : packs(make_motion_bound_packs(c, pieces_of_nodes(c, nodes))),
-        scratch(nodes.size()),
-        boxes(nodes.size()) {}
+      : NodeMotionBound(make_motion_bound_packs(c, pieces_of_nodes(c, nodes)), nodes.size()) {}
 
   // False if nothing is known of one.
   bool bound(MotionBound& motion_bound, const Pose& pose, const RigidTransform<double>& placement,
              Target target = best_target()) {
     return std::isfinite(motion_bound.box(pose, placement, target).low[0]) &&
-           motion_bound.boxes(packs, pose, placement, scratch, boxes, target);
+           bound_again(motion_bound, pose, placement.translation, target);
+  }
+  // The same in the pose and placement of the last box.
+  bool bound_again(MotionBound& motion_bound, const Pose& pose, const Point3& translation, Target target = best_target()) {
+    if (!motion_bound.boxes(packs, pose, turned, target)) return false;
+    for (std::size_t n = 0; n < boxes.size(); ++n) {
+      boxes[n] = turned[n].box();
+      for (int i = 0; i < 3; ++i) {
+        double &low = boxes[n].low[i], &high = boxes[n].high[i];
+        const double lost = motion_bound.lost() + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(translation[i]));
+        low += translation[i] - lost, high += translation[i] + lost;
+      }
+    }
+    return true;
   }
 };
 
@@ -129,6 +145,40 @@ void boxes_of_nodes_hold_their_vertices(Suite& t) {
       });
 }
 
+// Whether the boxes of all clusters hold their vertices, and those of wide nodes hold theirs.
+bool are_clusters_held(ClusterBody& body, const std::vector<Point3>& points) {
+  const ClusterTree& tree = body.tree();
+  bool ok = true;
+  for (int wide_node = 0; wide_node < static_cast<int>(tree.wide_nodes().size()); ++wide_node)
+    for (int i = 0; i < tree.wide_nodes()[wide_node].child_count; ++i) {
+      if (tree.child(wide_node, i).cluster < 0) continue;
+      const Box<double> box = oracle::in_world(body, get_box(body.wide_node_boxes(wide_node), i)),
+                        whole = oracle::in_world(body, body.wide_node_box(wide_node));
+      ok = ok && holds(box, points, tree.vertices().vertices(tree.child(wide_node, i).cluster));
+      for (int k = 0; k < 3; ++k) ok = ok && whole.low[k] <= box.low[k] && box.high[k] <= whole.high[k];
+    }
+  return ok;
+}
+
+// Whether a body's boxes hold the motion bounds of its nodes, with all that these may be off by. True where nothing is known of them.
+bool are_motion_bounds_held(ClusterBody& body, MotionBound& motion_bound, const Pose& pose,
+                            const RigidTransform<double>& placement) {
+  bool ok = true;
+  for (int wide_node = 0; wide_node < static_cast<int>(body.tree().wide_nodes().size()); ++wide_node) {
+    const WideNode& node = body.tree().wide_nodes()[wide_node];
+    std::vector<FlippedBox> turned(static_cast<std::size_t>(node.child_count));
+    if (!std::isfinite(motion_bound.box(pose, placement).low[0]) || !motion_bound.boxes(node.motion_bounds, pose, turned))
+      continue;
+    for (int i = 0; i < node.child_count; ++i) {
+      const Box<float> box = get_box(body.wide_node_boxes(wide_node), i);
+      const Box<double> inner = turned[static_cast<std::size_t>(i)].box();
+      for (int k = 0; k < 3; ++k)
+        ok = ok && box.low[k] <= inner.low[k] - motion_bound.lost() && box.high[k] >= inner.high[k] + motion_bound.lost();
+    }
+  }
+  return ok;
+}
+
 void turning_joints_and_clusters_of_bodies(Suite& t) {
   t.holds("joints that only turn, about points of their own, by rotations that are not quite of unit length",
           {.number_type = "float", .cases = 300}, [] {
@@ -136,6 +186,7 @@ void turning_joints_and_clusters_of_bodies(Suite& t) {
             const auto c = bake(gen::make_mesh(plan), {.triangles_per_leaf = 1});
             NodeMotionBound nodes(c, all_nodes(c));
             if (nodes.packs.empty()) RC_DISCARD("too many joints");
+            const ClusterTree tree(c, {.most_triangles = 1});
             std::mt19937 random(plan.seed);
             std::normal_distribution<double> normal;
             const double spread = *rc::gen::element(1e-4, 1e-3, 1e-2, 0.3), far = *rc::gen::element(1.0, 30.0, 1000.0);
@@ -153,6 +204,9 @@ void turning_joints_and_clusters_of_bodies(Suite& t) {
               if (!nodes.bound(motion_bound, pose, placement)) continue;
               const auto points = placed_vertices(c, pose, placement, skinning);
               for (std::size_t n = 0; n < nodes.boxes.size(); ++n) RC_ASSERT(holds(nodes.boxes[n], points, c.vertices[n]));
+              ClusterBody body(tree, skinning);
+              body.begin(pose, placement);
+              RC_ASSERT(are_clusters_held(body, points) && are_motion_bounds_held(body, motion_bound, pose, placement));
             }
           });
   t.holds("the boxes of a body's clusters, from the joints alone or by control points, hold their vertices",
@@ -175,14 +229,7 @@ void turning_joints_and_clusters_of_bodies(Suite& t) {
                   RC_ASSERT_THROWS_AS(body.begin(bad, placement), ModelError);
                 }
                 const auto points = placed_vertices(c, pose, placement, skinning);
-                for (int wide_node = 0; wide_node < static_cast<int>(tree.wide_nodes().size()); ++wide_node)
-                  for (int i = 0; i < tree.wide_nodes()[wide_node].child_count; ++i) {
-                    if (tree.child(wide_node, i).cluster < 0) continue;
-                    const Box<double> box = oracle::in_world(body, get_box(body.wide_node_boxes(wide_node), i)),
-                                      whole = oracle::in_world(body, body.wide_node_box(wide_node));
-                    RC_ASSERT(holds(box, points, tree.vertices().vertices(tree.child(wide_node, i).cluster)));
-                    for (int k = 0; k < 3; ++k) RC_ASSERT(whole.low[k] <= box.low[k] && box.high[k] <= whole.high[k]);
-                  }
+                RC_ASSERT(are_clusters_held(body, points));
               }
             }
           });
@@ -214,8 +261,8 @@ void rotations_off_unit_length(Suite& t) {
           const auto points = placed_vertices(c, pose, {}, Skinning::spherical);
           farthest = std::max(farthest, std::abs(points[0][0]));
           motion_bound.box(pose, {});
-          ok = ok && motion_bound.boxes(nodes.packs, pose, {}, nodes.scratch, nodes.boxes) &&
-               holds(nodes.boxes[0], points, c.vertices[0]) && (off != 0 || nodes.boxes[0].extent() < 1000 * angle * 1.1);
+          ok = ok && nodes.bound_again(motion_bound, pose, Point3::Zero()) && holds(nodes.boxes[0], points, c.vertices[0]) &&
+               (off != 0 || nodes.boxes[0].extent() < 1000 * angle * 1.1);
         }
     return Checked(ok && farthest > 1e-3, 27, "by up to " + std::to_string(farthest));
   });
@@ -240,8 +287,7 @@ void rotations_off_unit_length(Suite& t) {
             pose[0].rotation *= 1 + off;
             const auto points = placed_vertices(c, pose, {}, skinning);
             const Box<double> box = motion_bound.box(pose, {});
-            ok = ok && holds(box, points, c.vertices[0]) &&
-                 motion_bound.boxes(nodes.packs, pose, {}, nodes.scratch, nodes.boxes) &&
+            ok = ok && holds(box, points, c.vertices[0]) && nodes.bound_again(motion_bound, pose, Point3::Zero()) &&
                  holds(nodes.boxes[0], points, c.vertices[0]);
             ++tried;
           }
@@ -281,20 +327,18 @@ void tiny_models_and_tight_boxes(Suite& t) {
     bool ok = true;
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
       MotionBound motion_bound(man.mesh, man.sets, skinning);
-      std::vector<FlippedBox> scratch(count);
-      std::vector<Box<double>> boxes(count);
+      NodeMotionBound nodes(tree.wide_nodes()[0].motion_bounds, static_cast<std::size_t>(count));
       double exact = 0, bounded = 0;
       for (int i = 0; i < 10; ++i) {
         const Pose pose = man.clips[0].sample(i / 10.0 * man.clips[0].duration);
         const auto points = placed_vertices(man, pose, {}, skinning);
-        motion_bound.box(pose, {});
-        ok = ok && motion_bound.boxes(tree.wide_nodes()[0].motion_bounds, pose, {}, scratch, boxes);
+        ok = ok && nodes.bound(motion_bound, pose, {});
         for (int k = 0; k < count; ++k) {
           const auto vertices = tree.vertices().vertices(tree.child(0, k).cluster);
           auto box = Box<double>::empty();
           for (const int v : vertices) box.merge(points[v]);
-          ok = ok && holds(boxes[k], points, vertices);
-          exact += box.extent(), bounded += boxes[k].extent();
+          ok = ok && holds(nodes.boxes[k], points, vertices);
+          exact += box.extent(), bounded += nodes.boxes[k].extent();
         }
       }
       ok = ok && bounded < (skinning == Skinning::linear ? 1.21 : 1.29) * exact;
@@ -312,16 +356,19 @@ void tiny_models_and_tight_boxes(Suite& t) {
           const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 8, 6, 4, seed}));
           std::vector<int> nodes;
           for (int n = 0; n < std::min(20, static_cast<int>(c.tree.nodes.size())); ++n) nodes.push_back(n);
-          const auto pieces = pieces_of_nodes(c, nodes);
-          for (const MotionBoundPiecePack& pack : make_motion_bound_packs(c, pieces))
-            for (int lane = 0; lane < motion_bound_lanes; ++lane, ++lanes) {
-              const double n = pack.ball.joint_count[lane];
-              double squared_half = 0;
-              for (int i = 0; i < 3; ++i) squared_half += std::pow(static_cast<double>(pack.half[i][lane]), 2);
-              const double expected = std::sqrt(2 * n * (n - 1) * squared_half), spin = pack.spin[lane];
-              ok = ok && spin >= expected * (1 - 1e-12) && spin <= expected * (1 + 1e-5);
-              ok = ok && pack.box_unsolved[lane] >= std::sqrt(squared_half) * n / 64 * (1 - 1e-6);
-            }
+          auto pieces = pieces_of_nodes(c, nodes);
+          const auto packs = make_motion_bound_packs(c, pieces);
+          std::stable_sort(pieces.begin(), pieces.end(),
+                           [](const SimplexPiece& p, const SimplexPiece& q) { return p.low.size() > q.low.size(); });
+          for (std::size_t i = 0; i < packs.size() * motion_bound_lanes; ++i, ++lanes) {
+            const MotionBoundPiecePack& pack = packs[i / motion_bound_lanes];
+            const std::size_t lane = i % motion_bound_lanes;
+            const SimplexPiece& piece = pieces[std::min(i, pieces.size() - 1)];
+            const double n = static_cast<double>(piece.low.size()), radius = piece.reference.radius;
+            const double expected = std::sqrt(2 * n * (n - 1)) * radius, spin = pack.spin[lane];
+            ok = ok && pack.ball.joint_count[lane] == n && spin >= expected * (1 - 1e-12) && spin <= expected * (1 + 1e-5);
+            ok = ok && pack.unsolved_more[lane] >= radius * n / 64 * (1 - 1e-6);
+          }
         }
         return Checked(ok && lanes > 1000, lanes);
       });

@@ -11,6 +11,43 @@ REFITLAB_KERNEL void bound(const BoxPack* packs, std::size_t count, int joints, 
   BoxKernel<refitlab::Pack<float>>::run(packs, count, joints, skinning, slots, centers, rotation, boxes);
 }
 
+REFITLAB_KERNEL bool put_grown(const FlippedBox* boxes, int count, double lost, BoxBlock<float>* blocks, Box<float>& whole) {
+  Row<float, 8> merged, sum, row;
+  read_row(boxes[0].of, merged);
+  sum = merged;
+  for (const FlippedBox* box = boxes + 1; box < boxes + count; ++box) {
+    read_row(box->of, row);
+    merged = row < merged ? row : merged;
+    sum = sum + row;
+  }
+  float largest = 0;
+  bool are_known = true;
+  for (const int i : {0, 1, 2, 4, 5, 6}) {
+    largest = max_of(largest, abs(merged[i]));
+    are_known = are_known && abs(merged[i]) < largest_box && abs(sum[i]) < infinite;  // or some number is undefined or infinite
+  }
+  const auto off = static_cast<float>(lost + roundings_of_float_box * largest);
+  if (!are_known || !(off < largest_box)) return false;
+  merged = merged - off;
+  for (int i = 0; i < 3; ++i) whole.low[i] = merged[i], whole.high[i] = -merged[4 + i];
+  for (int first = 0; first < count; first += 8) {
+    Row<float, 8> rows[8];
+    for (int i = 0; i < 8; ++i) {  // places behind the last box repeat it
+      read_row(boxes[first + i < count ? first + i : count - 1].of, rows[i]);
+      rows[i] = rows[i] - off;
+    }
+    alignas(64) float sides[8][8];
+    transpose<float>(rows, sides[0], 8);
+    for (int i = 0; i < 3; ++i) {
+      read_row(sides[i], row);
+      write_row(row, blocks[first / 8].side[i]);
+      read_row(sides[4 + i], row);
+      write_row(Row<float, 8>(-row), blocks[first / 8].side[3 + i]);
+    }
+  }
+  return true;
+}
+
 REFITLAB_KERNEL void filter_pairs(const PaddedVertex* vertices_a, const PaddedVertex* vertices_b,
                                   const TrianglePairCandidate* pairs, int count, Filtered* answers) {
   using S = refitlab::Pack<double>;
@@ -57,6 +94,6 @@ REFITLAB_KERNEL void place(const Lanes<double>* skinned, int block_count, const 
 
 }  // namespace
 
-const BoxKernels box_kernels{bound, filter_pairs, place};
+const BoxKernels box_kernels{bound, put_grown, filter_pairs, place};
 
 }  // namespace refitlab::REFITLAB_TARGET

@@ -31,6 +31,13 @@ Box<float> float_box(const Box<double>& box, double lost) {
   return off < std::numeric_limits<float>::infinity() ? out : Box<float>::everything();
 }
 
+// Puts box i, which may be off by lost, into blocks, and merges it into whole.
+void put_float_box(const Box<double>& box, double lost, int i, BoxBlock<float>* blocks, Box<float>& whole) {
+  const Box<float> in_float = float_box(box, lost);
+  whole.merge(in_float);
+  put_box(blocks, i, in_float);
+}
+
 }  // namespace
 
 ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
@@ -172,16 +179,14 @@ void ClusterBody::bound_wide_node(int f) {
     box_skinned(wide_node, blocks, whole);
     return wide_nodes_made_.mark(f);
   }
-  const std::span<FlippedBox> flipped(flipped_.data(), wide_node.child_count);
-  const std::span<Box<double>> boxes(boxes_.data(), wide_node.child_count);
   // The boxes are as seen from the placement's translation, which is the clusters' origin.
-  if (!is_deformed_) bound_by_pieces(wide_node, flipped, boxes);
-  else
-    for (int i = 0; i < wide_node.child_count; ++i) boxes[i] = box_of_deformed(tree_.child(f, i).node);
-  for (int i = 0; i < wide_node.child_count; ++i) {
-    const Box<float> box = float_box(boxes[i], clusters_.lost());
-    whole.merge(box);
-    put_box(blocks, i, box);
+  if (is_deformed_ || is_affine_) {
+    bound_in_double(f);
+    for (int i = 0; i < wide_node.child_count; ++i) put_float_box(boxes_[i], clusters_.lost(), i, blocks, whole);
+  } else {
+    const double lost = clusters_.lost() + bound_in_float(wide_node);
+    if (!box_kernels(best_target()).put_grown(flipped_.data(), wide_node.child_count, lost + least_float_slack, blocks, whole))
+      for (int i = 0; i < wide_node.child_count; ++i) put_float_box(flipped_[i].box(), lost, i, blocks, whole);
   }
   nodes_bounded_ += wide_node.child_count;
   work_ += work_of_motion_bounds * static_cast<long>(wide_node.motion_bounds.size()) +
@@ -189,20 +194,28 @@ void ClusterBody::bound_wide_node(int f) {
   wide_nodes_made_.mark(f);
 }
 
-void ClusterBody::bound_by_pieces(const WideNode& wide_node, std::span<FlippedBox> flipped, std::span<Box<double>> boxes) {
-  motion_bound();  // places the joints
-  if (is_affine_) bound_affine_boxes(wide_node.simplex_pieces, clusters_.whole_palette(), placement_.rotation, boxes);
-  else if (wide_node.motion_bounds.empty() || skinning_ == Skinning::hejl || !are_joints_placed_ ||
-           !motion_bound_.boxes(wide_node.motion_bounds, pose_, {placement_.rotation, Point3::Zero()}, flipped, boxes))
-    bound_by_control_points(wide_node, flipped, boxes);
+// Bounds the children of a wide node of a deformed body, or of affine joints.
+void ClusterBody::bound_in_double(int f) {
+  const WideNode& wide_node = tree_.wide_nodes()[f];
+  if (is_deformed_)
+    for (int i = 0; i < wide_node.child_count; ++i) boxes_[i] = box_of_deformed(tree_.child(f, i).node);
+  else
+    bound_affine_boxes(wide_node.simplex_pieces, clusters_.whole_palette(), placement_.rotation,
+                       {boxes_.data(), static_cast<std::size_t>(wide_node.child_count)});
 }
 
-void ClusterBody::bound_by_control_points(const WideNode& wide_node, std::span<FlippedBox> flipped,
-                                          std::span<Box<double>> boxes) {
+// Bounds the children of a wide node by motion bounds, or by control points where the former know nothing of some child. Returns what the
+// coordinates may be off by.
+double ClusterBody::bound_in_float(const WideNode& wide_node) {
+  const std::span<FlippedBox> boxes(flipped_.data(), wide_node.child_count);
+  if (!wide_node.motion_bounds.empty() && skinning_ != Skinning::hejl) {
+    motion_bound();  // places the joints
+    if (are_joints_placed_ && motion_bound_.boxes(wide_node.motion_bounds, pose_, boxes)) return motion_bound_.lost();
+  }
   const SkinningPalette<double>& palette = clusters_.whole_palette();
   if (!are_floats_filled_) joints_.fill(palette, skinning_), are_floats_filled_ = true;
-  bound_boxes(wide_node.pieces, skinning_, joints_, palette, placement_.rotation, flipped);
-  for (int i = 0; i < wide_node.child_count; ++i) boxes[i] = flipped[i].box();
+  bound_boxes(wide_node.pieces, skinning_, joints_, palette, placement_.rotation, boxes);
+  return 0;
 }
 
 bool ClusterBody::has_only_clusters(int wide_node) const {

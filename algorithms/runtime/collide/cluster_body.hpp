@@ -118,9 +118,9 @@ class ClusterBody {
   void make_motion_bound();
   void set_motion_bound(const Box<double>& box);
   void bound_wide_node(int wide_node);
-  void bound_by_pieces(const WideNode& wide_node, std::span<FlippedBox> flipped, std::span<Box<double>> boxes);
+  void bound_in_double(int wide_node);
+  double bound_in_float(const WideNode& wide_node);
   bool has_only_clusters(int wide_node) const;
-  void bound_by_control_points(const WideNode& wide_node, std::span<FlippedBox> flipped, std::span<Box<double>> boxes);
   void box_skinned(const WideNode& wide_node, BoxBlock<float>* blocks, Box<float>& whole);
 
   const ClusterTree& tree_;

@@ -175,27 +175,20 @@ void MotionBound::move(Box<double>& box, const Point3& by) const {
   for (int i = 0; i < 3; ++i) {
     double &low = box.low[i], &high = box.high[i];
     const double at = by[i];
-    const double off = least_length + lost_of_joints_ + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
+    const double off = lost() + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
     low += at - off, high += at + off;
   }
 }
 
-bool MotionBound::boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, const RigidTransform<double>& placement,
-                        std::span<FlippedBox> scratch, std::span<Box<double>> out, Target target) {
+bool MotionBound::boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, std::span<FlippedBox> out, Target target) {
   const DefaultFloatEnvironment environment;
-  for (FlippedBox& b : scratch) b.set_all(std::numeric_limits<float>::infinity());
+  for (FlippedBox& b : out) b.set_all(std::numeric_limits<float>::infinity());
   if (!defect_) {
     defect_ = 0;
     for (const auto& joint : pose) defect_ = std::max(*defect_, std::abs(squared_norm(joint.rotation) - 1));
   }
-  if (!bound_motion_pieces(target)(numbers_.data()->lane.data(), static_cast<int>(pose.size()), padded_joints_, packs.data(),
-                                   static_cast<int>(packs.size()), deviates(), error_share(*defect_), scratch.data()))
-    return false;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    out[i] = scratch[i].box();
-    move(out[i], placement.translation);
-  }
-  return true;
+  return bound_motion_pieces(target)(numbers_.data()->lane.data(), static_cast<int>(pose.size()), padded_joints_, packs.data(),
+                                     static_cast<int>(packs.size()), deviates(), error_share(*defect_), out.data());
 }
 
 }  // namespace refitlab

@@ -38,11 +38,14 @@ class MotionBound {
   // ModelError for one of the wrong length.
   Box<double> box(const AffinePose& pose, const RigidTransform<double>& placement) const;
 
-  // Makes boxes in the world around the targets of packs, in the pose and placement of the last call of box, whose result
-  // must have been finite. scratch and out are by target. If no bound is known for some target, it returns false, and out
-  // must not be used. It is not for Skinning::hejl, because these packs do not have its rotation centers.
-  bool boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, const RigidTransform<double>& placement,
-             std::span<FlippedBox> scratch, std::span<Box<double>> out, Target target = best_target());
+  // Makes boxes around the targets of packs, turned by the placement but not moved, in the pose and placement of the last call of
+  // box, whose result must have been finite. They hold the targets once they are grown by lost(). out is by target. If no bound is
+  // known for some target, it returns false, and out must not be used. It is not for Skinning::hejl, because these packs do not have
+  // its rotation centers.
+  bool boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, std::span<FlippedBox> out,
+             Target target = best_target());
+  // Returns what rounding loses of each coordinate of these boxes, in that pose.
+  double lost() const { return least_length + lost_of_joints_; }
 
  private:
   // A Group has joint-sets whose joints are all in one of them.

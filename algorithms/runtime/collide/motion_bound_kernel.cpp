@@ -39,7 +39,7 @@ template <int slots, bool deviates, bool few, class Merge>
   for (int k = 0; k < slots; ++k) {
     const Transform joint = joints.of_lanes(pack.joint[k] + first);
     const Point at = apply(joint, f);
-    images.add(k, at, {at, at});
+    images.add(k, at);
     if constexpr (deviates) rotations.add(k, joint.rotation);
   }
   S radius = load(pack.radius + first);

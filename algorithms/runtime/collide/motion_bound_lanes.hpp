@@ -118,12 +118,12 @@ template <class T>
 // Images has the images of a point under a lane's joints. It makes a box around them, and A.
 class Images {
  public:
-  [[gnu::always_inline]] void add(int k, const Point& image, const Box<S>& around) {
+  [[gnu::always_inline]] void add(int k, const Point& image) {
     if (k == 0) {
-      first_ = image, box_ = around;
+      first_ = image, box_ = {image, image};
       return;
     }
-    box_.merge(around);
+    box_.merge(Box<S>{image, image});
     const Point y = image - first_;
     sum_ = sum_ + y;
     squares_ = squares_ + squared_norm(y);

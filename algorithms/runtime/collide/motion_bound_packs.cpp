@@ -25,18 +25,18 @@ void put_lane(MotionBoundPack& pack, int lane, std::span<const int> joints, cons
 
 namespace {
 
-// Does for the piece's box what put_lane does for its ball. prior is that of its joint-set.
-void put_box(MotionBoundPiecePack& pack, int lane, int n, const Box<double>& box, const Point3& prior) {
+// Does for the piece's box what put_lane does for its ball.
+void put_box(MotionBoundPiecePack& pack, int lane, int n, const Box<double>& box, const Ball3<double>& ball) {
   const Point3 center = box.center(), half = (box.high - box.low) / 2;
-  const double half_diagonal = half.norm(), to_prior = (center - prior).norm();
+  const double length = std::max(center.norm(), ball.center.norm());  // of a point whose images are looked at
   for (int to = lane; to < motion_bound_lanes; ++to) {
     for (int i = 0; i < 3; ++i) {
       pack.box_center[i][to] = static_cast<float>(center[i]);
       pack.half[i][to] = static_cast<float>(half[i]);
     }
-    pack.lost[to] = static_cast<float>(lost_of_motion_bound * (n * center.norm() + half_diagonal));
-    pack.spin[to] = static_cast<float>(std::sqrt(2.0 * n * (n - 1)) * half_diagonal * (1 + 1e-6));
-    pack.box_unsolved[to] = static_cast<float>((to_prior + half_diagonal) * n / 64);
+    pack.lost[to] = static_cast<float>(lost_of_motion_bound * (n * length + half.norm()));
+    pack.spin[to] = static_cast<float>(std::sqrt(2.0 * n * (n - 1)) * ball.radius * (1 + 1e-6));
+    pack.unsolved_more[to] = static_cast<float>(ball.radius * n / 64);
   }
 }
 
@@ -58,7 +58,7 @@ std::vector<MotionBoundPiecePack> make_motion_bound_packs(const Character& c, st
     const auto joints = c.sets.joints(p.joint_set);
     const Point3 prior = center_prior(c.mesh, joints, Skinning::spherical);
     put_lane(packs.back().ball, lane, joints, p.reference, (p.reference.center - prior).norm(), p.target);
-    put_box(packs.back(), lane, static_cast<int>(joints.size()), p.box, prior);
+    put_box(packs.back(), lane, static_cast<int>(joints.size()), p.box, p.reference);
   }
   return packs;
 }

@@ -13,22 +13,24 @@ template <int slots, bool deviates, bool few, class Merge>
                                                const Merge& merge) {
   const Point f = load_point(pack.ball.center, first), middle = load_point(pack.box_center, first),
               half = load_point(pack.half, first);
-  Images of_ball, of_box;
+  Images images;
+  Box<S> box;
   Rotations<slots> rotations;
 #pragma GCC unroll 8
   for (int k = 0; k < slots; ++k) {
     const Transform joint = joints.of_lanes(pack.ball.joint[k] + first);
     const std::array<Point, 3> turn = matrix_of(joint.rotation);
-    Point at_f, at_middle;
-    Box<S> box;
+    Point at_f;
+    Box<S> around;
     for (int i = 0; i < 3; ++i) {
       const S about = abs(turn[i][0]) * half[0] + abs(turn[i][1]) * half[1] + abs(turn[i][2]) * half[2];
+      const S at_middle = dot(turn[i], middle) + joint.translation[i];
       at_f[i] = dot(turn[i], f) + joint.translation[i];
-      at_middle[i] = dot(turn[i], middle) + joint.translation[i];
-      box.low[i] = at_middle[i] - about, box.high[i] = at_middle[i] + about;
+      around.low[i] = at_middle - about, around.high[i] = at_middle + about;
     }
-    of_ball.add(k, at_f, {at_f, at_f});
-    of_box.add(k, at_middle, box);
+    images.add(k, at_f);
+    if (k == 0) box = around;
+    else box.merge(around);
     if constexpr (deviates) rotations.add(k, joint.rotation);
   }
   S radius = load(pack.ball.radius + first), margin = load(pack.lost + first);
@@ -36,12 +38,13 @@ template <int slots, bool deviates, bool few, class Merge>
   if constexpr (deviates) {
     is_known = none_of(rotations.are_far());
     const S c = rotations.cosine(), share = deviation_share(c) + S(off), n = load(pack.ball.joint_count + first);
-    radius = radius + share * (of_ball.spread(n) + load(pack.ball.unsolved + first));
-    // A of a vertex is at most A of the middle plus what the rotations add.
+    const S of_f = images.spread(n) + load(pack.ball.unsolved + first);
+    radius = radius + share * of_f;
+    // A of a vertex is at most A of f plus what the rotations add.
     const S turned = load(pack.spin + first) * root(max_of((S(1) - c) * (S(1) + c), S(0)));
-    margin = margin + share * (of_box.spread(n) + load(pack.box_unsolved + first) + turned);
+    margin = margin + share * (of_f + (turned + load(pack.unsolved_more + first)));
   }
-  Box<S> cut = of_ball.box(), box = of_box.box();
+  Box<S> cut = images.box();
   cut.grow(radius), box.grow(margin);
   for (int i = 0; i < 3; ++i) cut.low[i] = max_of(cut.low[i], box.low[i]), cut.high[i] = min_of(cut.high[i], box.high[i]);
   merge(cut);
@@ -57,6 +60,7 @@ bool merge_all(const Joints<few>& joints, const MotionBoundPiecePack* packs, int
       const int slots = pack->ball.slot_count;
       if (!(slots <= 1   ? bound_lanes<1, deviates>(*pack, first, joints, off, merge)
             : slots <= 2 ? bound_lanes<2, deviates>(*pack, first, joints, off, merge)
+            : slots <= 3 ? bound_lanes<3, deviates>(*pack, first, joints, off, merge)
             : slots <= 4 ? bound_lanes<4, deviates>(*pack, first, joints, off, merge)
                          : bound_lanes<most_motion_bound_joints, deviates>(*pack, first, joints, off, merge)))
         return false;

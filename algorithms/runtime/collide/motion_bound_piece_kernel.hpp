@@ -2,8 +2,8 @@
 // This kernel bounds nodes from their joints alone. It works like that of MotionBound, but by target, and with a ball and a box.
 //
 // By b7_motion_bound with f = v, a vertex is within s A(v) of the hull of its images. So it is in the hull of the images of
-// a box around all vertices, inflated by s (A(m) + sqrt(2 n (n - 1) (1 - c^2)) ||h||), where m is the center of the box and
-// h half its diagonal. Along an axis, the image of the box extends by |R| h around that of m.
+// a box around all vertices, inflated by s (A(f) + sqrt(2 n (n - 1) (1 - c^2)) r), where f is the center of the ball and r its
+// radius. Along an axis, the image of the box extends by |R| h around that of its center, where h is half its diagonal.
 //
 // Rounding, with the names of motion_bound_kernel.hpp. The matrix of a rotation has an error of 48 u from the quaternion
 // and, element by element, of at most 5 u: together below 60 u. An image has an error of less than the 80 u found there.
@@ -20,9 +20,9 @@ namespace refitlab {
 struct MotionBoundPiecePack {
   MotionBoundPack ball;
   alignas(64) float box_center[3][motion_bound_lanes], half[3][motion_bound_lanes];
-  alignas(64) float lost[motion_bound_lanes];  // of the box in float
-  alignas(64) float spin[motion_bound_lanes];  // sqrt(2 n (n - 1)) times half its diagonal, n the joints
-  alignas(64) float box_unsolved[motion_bound_lanes];
+  alignas(64) float lost[motion_bound_lanes];           // of the box in float
+  alignas(64) float spin[motion_bound_lanes];           // sqrt(2 n (n - 1)) times the ball's radius, n the joints
+  alignas(64) float unsolved_more[motion_bound_lanes];  // by how much more no vertex is unsolved than the ball's center
 };
 
 // Merges the bounds of pieces into boxes[target], turned by the placement but not moved. numbers are as

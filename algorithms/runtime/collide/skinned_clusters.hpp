@@ -10,10 +10,8 @@
 
 namespace refitlab {
 
-// Boxes in float have four roundings of their coordinates to spare, each of 2^-24. Growing them rounds, too, and so does the
-// conversion to float (cluster_body.cpp).
+// What boxes in float have to spare, of their coordinates.
 inline constexpr float four_roundings = 0x1p-22f;
-inline constexpr double roundings_of_float_box = 0x1p-21;
 // The doubles of the world lose this share of how far the placement and the origin are from the world's origin.
 inline constexpr double lost_in_world = 0x1p-51;
 
