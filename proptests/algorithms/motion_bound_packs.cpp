@@ -160,15 +160,14 @@ bool are_clusters_held(ClusterBody& body, const std::vector<Point3>& points) {
   return ok;
 }
 
-// Whether a body's boxes hold the motion bounds of its nodes, with all that these may be off by. True where nothing is known of them.
-bool are_motion_bounds_held(ClusterBody& body, MotionBound& motion_bound, const Pose& pose,
-                            const RigidTransform<double>& placement) {
+// Whether a body's boxes hold the motion bounds of its nodes, with all that these may be off by, where something is known of them. pose is
+// that of the last box.
+bool are_motion_bounds_held(ClusterBody& body, MotionBound& motion_bound, const Pose& pose) {
   bool ok = true;
   for (int wide_node = 0; wide_node < static_cast<int>(body.tree().wide_nodes().size()); ++wide_node) {
     const WideNode& node = body.tree().wide_nodes()[wide_node];
     std::vector<FlippedBox> turned(static_cast<std::size_t>(node.child_count));
-    if (!std::isfinite(motion_bound.box(pose, placement).low[0]) || !motion_bound.boxes(node.motion_bounds, pose, turned))
-      continue;
+    if (!motion_bound.boxes(node.motion_bounds, pose, turned)) continue;
     for (int i = 0; i < node.child_count; ++i) {
       const Box<float> box = get_box(body.wide_node_boxes(wide_node), i);
       const Box<double> inner = turned[static_cast<std::size_t>(i)].box();
@@ -206,7 +205,7 @@ void turning_joints_and_clusters_of_bodies(Suite& t) {
               for (std::size_t n = 0; n < nodes.boxes.size(); ++n) RC_ASSERT(holds(nodes.boxes[n], points, c.vertices[n]));
               ClusterBody body(tree, skinning);
               body.begin(pose, placement);
-              RC_ASSERT(are_clusters_held(body, points) && are_motion_bounds_held(body, motion_bound, pose, placement));
+              RC_ASSERT(are_clusters_held(body, points) && are_motion_bounds_held(body, motion_bound, pose));
             }
           });
   t.holds("the boxes of a body's clusters, from the joints alone or by control points, hold their vertices",
