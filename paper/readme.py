@@ -65,7 +65,7 @@ def queries_block(results):
     ceilings = {scene: digits(content.gain_without(results, scene, "skin_all_float"), 3) for scene in ("light", "heavy")}
     return f"""\
 The table gives the microseconds a frame, from pose to pairs, to find all touching pairs of two walking men of 8270 triangles each
-(`{command_of(results, "collision")}`; commit {commit}, {cpu}, one thread). Every set of pairs is checked: against brute force, and in the largest models against that of the third row. All rows but that of the sphere tree compare triangles in
+(`{command_of(results, "collision")}`; commit {commit}, {cpu}, one thread, huge pages). Every set of pairs is checked: against brute force, and in the largest models against that of the third row. All rows but that of the sphere tree compare triangles in
 packs of floats first. The rows of engines and of the sphere tree skin in double, and all others in float. In the last four columns, the engine is Embree.
 
 | | {' | '.join(heads)} |

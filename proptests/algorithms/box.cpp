@@ -120,8 +120,7 @@ void grown_boxes(Suite& t) {
         for (const Target target : available_targets()) {
           std::vector<BoxBlock<float>> blocks(static_cast<std::size_t>(count + 7) / 8);
           Box<float> whole;
-          RC_ASSERT(
-              box_kernels(target).put_grown(given.boxes.data(), count, given.lost + least_float_slack, blocks.data(), whole));
+          RC_ASSERT(box_kernels(target).put_grown(given.boxes.data(), count, given.lost, blocks.data(), whole));
           auto around = Box<float>::empty();
           for (int i = 0; i < count; ++i) {
             const Box<float> box = get_box(blocks.data(), i);

@@ -476,6 +476,26 @@ void when_clusters_are_rather_skinned(Suite& t) {
     const auto count = static_cast<long>(tree.wide_nodes().size());
     return Checked(wrong == 0 && skinned > 0 && skinned < 3 * count, frames * count, std::to_string(skinned) + " are skinned");
   });
+  t.example("where it does, the parent has the box around what was skinned in place of its bound, and a smaller one", {}, [] {
+    const auto man = bake(make_man());
+    const ClusterTree tree(man);
+    ClusterBody body(tree, Skinning::spherical);
+    body.begin(man.clips[0].sample(0.1), {});
+    body.skin_rather();
+    long wrong = 0, skinned = 0;
+    for (int f = 1; f < static_cast<int>(tree.wide_nodes().size()); ++f) {  // parents come before their children
+      const WideNode& wide_node = tree.wide_nodes()[f];
+      const auto in_parent = [&] { return get_box(body.wide_node_boxes(wide_node.parent), wide_node.child); };
+      const Box<float> bound = in_parent(), own = body.wide_node_box(f), after = in_parent();
+      const bool is_skinned = has_only_clusters(tree, f);
+      wrong += tree.child(wide_node.parent, wide_node.child).wide_node != f;
+      wrong += is_skinned ? after.low != own.low || after.high != own.high || after.extent() >= bound.extent()
+                          : after.low != bound.low || after.high != bound.high;
+      skinned += is_skinned;
+    }
+    return Checked(wrong == 0 && skinned > 1, static_cast<long>(tree.wide_nodes().size()),
+                   std::to_string(skinned) + " are skinned");
+  });
   t.example("a body of which a query has skinned several clusters in float rather skins from then on, in that frame", {}, [] {
     const auto man = bake(make_man());
     const ClusterTree tree(man);

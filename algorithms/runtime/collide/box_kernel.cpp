@@ -26,7 +26,7 @@ REFITLAB_KERNEL bool put_grown(const FlippedBox* boxes, int count, double lost, 
     largest = max_of(largest, abs(merged[i]));
     are_known = are_known && abs(merged[i]) < largest_box && abs(sum[i]) < infinite;  // or some number is undefined or infinite
   }
-  const auto off = static_cast<float>(lost + roundings_of_float_box * largest);
+  const float off = growth_of_float_box(lost, largest);
   if (!are_known || !(off < largest_box)) return false;
   merged = merged - off;
   for (int i = 0; i < 3; ++i) whole.low[i] = merged[i], whole.high[i] = -merged[4 + i];

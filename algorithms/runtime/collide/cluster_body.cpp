@@ -15,7 +15,7 @@ namespace {
 
 int blocks_of(int boxes) { return (boxes + 7) / 8; }
 
-// Returns a box around another one whose coordinates may be off by lost, with four roundings to spare and one for the conversion.
+// Returns a box around another one whose coordinates may be off by lost, grown by growth_of_float_box.
 Box<float> float_box(const Box<double>& box, double lost) {
   Box<float> out;
   double largest = 0;
@@ -25,7 +25,7 @@ Box<float> float_box(const Box<double>& box, double lost) {
       if (!(std::abs(side) < largest_box)) return Box<float>::everything();
       largest = max_of(largest, std::abs(side));
     }
-  const auto off = static_cast<float>(lost + roundings_of_float_box * largest + least_float_slack);
+  const float off = growth_of_float_box(lost, largest);
   for (int i = 0; i < 3; ++i)
     out.low[i] = static_cast<float>(box.low[i]) - off, out.high[i] = static_cast<float>(box.high[i]) + off;
   return off < std::numeric_limits<float>::infinity() ? out : Box<float>::everything();
@@ -177,6 +177,7 @@ void ClusterBody::bound_wide_node(int f) {
   Box<float>& whole = wide_node_boxes_[f] = Box<float>::empty();
   if (is_all_skinned_ || (is_rather_skinned_ && f > 0 && has_only_clusters(f))) {
     box_skinned(wide_node, blocks, whole);
+    if (f > 0) put_box(&wide_node_blocks_[first_block_of_wide_node_[wide_node.parent]], wide_node.child, whole);
     return wide_nodes_made_.mark(f);
   }
   // The boxes are as seen from the placement's translation, which is the clusters' origin.
@@ -185,7 +186,7 @@ void ClusterBody::bound_wide_node(int f) {
     for (int i = 0; i < wide_node.child_count; ++i) put_float_box(boxes_[i], clusters_.lost(), i, blocks, whole);
   } else {
     const double lost = clusters_.lost() + bound_in_float(wide_node);
-    if (!box_kernels(best_target()).put_grown(flipped_.data(), wide_node.child_count, lost + least_float_slack, blocks, whole))
+    if (!box_kernels(best_target()).put_grown(flipped_.data(), wide_node.child_count, lost, blocks, whole))
       for (int i = 0; i < wide_node.child_count; ++i) put_float_box(flipped_[i].box(), lost, i, blocks, whole);
   }
   nodes_bounded_ += wide_node.child_count;

@@ -70,7 +70,8 @@ class ClusterBody {
   bool is_skinned_in_float() const { return !is_deformed_ && (skinning_ == Skinning::spherical || skinning_ == Skinning::hejl); }
 
   // From now on in this frame, clusters are skinned rather than bounded where all children of a wide node are clusters, but not below
-  // the root. In float this takes about as long, and boxes are tighter; but more is skinned where little touches.
+  // the root. In float this takes about as long, and boxes are tighter, also the one that the parent has of such a wide node; but more
+  // is skinned where little touches.
   void skin_rather() { is_rather_skinned_ = true; }
 
   // Skins everything. Boxes that are not made yet are then made around skinned vertices.

@@ -46,6 +46,7 @@ struct WideNode {
   BoxPieces pieces;                                 // the pieces that bound the children, by position in the wide node
   std::vector<MotionBoundPiecePack> motion_bounds;  // the motion bounds of the children; empty where they do not apply
   std::vector<SimplexPiece> simplex_pieces;         // the same pieces one by one, for affine joints
+  int parent = -1, child = -1;                      // the wide node that it is a child of, and which one; the root has none
 };
 
 class ClusterTree {
