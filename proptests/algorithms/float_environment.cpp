@@ -229,7 +229,7 @@ std::vector<Entry> query_entries() {
            for (std::size_t c = 0; c < tree.clusters().size(); ++c) {
              const int cluster = static_cast<int>(c);
              out.add(box_of<double>(a.clusters().cluster(cluster).box));
-             out.add(a.clusters().cluster(cluster).xyz()[0]);
+             out.add(a.clusters().cluster(cluster).xyz[0]);
              for (const double x : a.clusters().padded_vertex(cluster, 0).of) out.add(x);
            }
            for (const Point3& p : b.triangle(5)) out.add(p);

@@ -45,7 +45,7 @@ Compared compare(SkinnedClusters& body, const std::vector<Point3>& expected) {
           out.are_boxed = out.are_boxed && cluster.box.low[i] == -infinite && cluster.box.high[i] == infinite;
           continue;
         }
-        const float f = cluster.xyz()[i * count + p];
+        const float f = cluster.xyz[i * count + p];
         if (!std::isfinite(f)) {
           ++out.beyond;
           continue;

@@ -110,15 +110,15 @@ void ClusterPairs::add(int a, int b) {
   const CandidateArrays candidates_a = arrays_of(scratch_.first), candidates_b = arrays_of(scratch_.second);
   constexpr float none[3] = {};
   Box<float> all_a, all_b;
-  int count_a = kernels_.cull(triangles_a, of_a.xyz(), places_a, common, candidates_a);
+  int count_a = kernels_.cull(triangles_a, of_a.xyz, places_a, common, candidates_a);
   if (count_a == 0) return;
-  kernels_.place(triangles_a, of_a.xyz(), places_a, none, count_a, candidates_a, all_a);
+  kernels_.place(triangles_a, of_a.xyz, places_a, none, count_a, candidates_a, all_a);
   // The second body's triangles are culled against the candidates of the first, and these against what is left of those.
   all_a.grow(2 * slack);
   cut_to(all_a);
-  const int count_b = kernels_.cull(triangles_b, of_b.xyz(), places_b, moved_back(common), candidates_b);
+  const int count_b = kernels_.cull(triangles_b, of_b.xyz, places_b, moved_back(common), candidates_b);
   if (count_b == 0) return;
-  kernels_.place(triangles_b, of_b.xyz(), places_b, offset_, count_b, candidates_b, all_b);
+  kernels_.place(triangles_b, of_b.xyz, places_b, offset_, count_b, candidates_b, all_b);
   all_b.grow(2 * slack);
   count_a = kernels_.keep(count_a, all_b, candidates_a);
   if (count_a == 0) return;

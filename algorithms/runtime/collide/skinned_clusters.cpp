@@ -33,6 +33,11 @@ std::vector<int> by_clusters(const ClusterTree& tree) {
   return out;
 }
 
+// Returns how many positions all clusters have.
+int position_count(const ClusterTree& tree) {
+  return tree.clusters().back().first_vertex + tree.clusters().back().padded_vertex_count;
+}
+
 long work_of_all(const ClusterTree& tree, int part_count) {
   long work = long{work_of_palettes} * part_count;
   for (int c = 0; c < static_cast<int>(tree.clusters().size()); ++c) work += tree.floats().block_count(c);
@@ -50,7 +55,7 @@ SkinnedClusters::SkinnedClusters(const ClusterTree& tree, Skinning skinning)
       float_palette_(tree.character().sets.count()),
       palette_arrays_(palette_packs_.arrays(palette_)),
       clusters_made_(tree.clusters().size()),
-      blocks_made_((tree.clusters().back().first_vertex + tree.clusters().back().padded_vertex_count) / Lanes<double>::count),
+      blocks_made_(position_count(tree) / Lanes<double>::count),
       clusters_(tree.clusters().size()),
       work_of_all_(refitlab::work_of_all(tree, palette_packs_.part_count())) {}
 
@@ -115,9 +120,12 @@ void SkinnedClusters::skin_cluster(int n) {
   const DefaultFloatEnvironment environment;
   require_frame();
   FloatCluster& out = clusters_[n];
-  out.blocks.resize(3 * tree_.floats().block_count(n));
-  if (can_skin_in_float(n)) skin_in_float(n, out);
-  else skin_in_double(n, out);
+  constexpr int lanes = Lanes<float>::count;
+  if (float_vertices_.empty()) float_vertices_.resize(3 * (position_count(tree_) / lanes));
+  Lanes<float>* const xyz = &float_vertices_[3 * (tree_.clusters()[n].first_vertex / lanes)];
+  out.xyz = xyz->lane.data();
+  if (can_skin_in_float(n)) skin_in_float(n, xyz, out);
+  else skin_in_double(n, xyz->lane.data(), out);
   clusters_made_.mark(n);
   ++clusters_skinned_;
   work_ += tree_.floats().block_count(n);
@@ -135,16 +143,15 @@ bool SkinnedClusters::can_skin_in_float(int n) {
   return can;
 }
 
-void SkinnedClusters::skin_in_float(int n, FloatCluster& out) {
-  const float slack = tree_.floats().skin(n, float_palette_.data(), out.blocks.data(), out.box);
+void SkinnedClusters::skin_in_float(int n, Lanes<float>* xyz, FloatCluster& out) {
+  const float slack = tree_.floats().skin(n, float_palette_.data(), xyz, out.box);
   out.slack = slack + 2 * roundings(out.box);
   out.box.grow(out.slack);
 }
 
 // Doubles that are rounded to floats are off by half of a rounding.
-void SkinnedClusters::skin_in_double(int n, FloatCluster& out) {
+void SkinnedClusters::skin_in_double(int n, float* xyz, FloatCluster& out) {
   const int count = tree_.clusters()[n].padded_vertex_count;
-  float* const xyz = out.blocks.data()->lane.data();
   out.box = Box<float>::empty();
   bool are_finite = true;
   for (int p = 0; p < count; ++p) {
@@ -186,8 +193,7 @@ void SkinnedClusters::skin_block(int n, int block) {
   require_frame();
   constexpr int lanes = Lanes<double>::count;
   const Cluster& cluster = tree_.clusters()[n];
-  if (padded_vertices_.empty())
-    padded_vertices_.resize(tree_.clusters().back().first_vertex + tree_.clusters().back().padded_vertex_count);
+  if (padded_vertices_.empty()) padded_vertices_.resize(position_count(tree_));
   PaddedVertex* const out = &padded_vertices_[cluster.first_vertex + lanes * block];
   const int* const vertices = &tree_.vertices().vertices(n)[lanes * block];
   if (reference_) {

@@ -25,10 +25,8 @@ struct FloatCluster {
   // The slack bounds how far each coordinate is from the doubles of apply(placement, skin()) less the origin, plus four
   // roundings. It is infinite where floats say nothing; then so is the box.
   float slack;
-  Box<float> box;                    // around the doubles, less the origin
-  std::vector<Lanes<float>> blocks;  // x of all positions, then y, then z
-
-  const float* xyz() const { return blocks.data()->lane.data(); }
+  Box<float> box;    // around the doubles, less the origin
+  const float* xyz;  // x of all positions, then y, then z
 };
 
 class SkinnedClusters {
@@ -93,8 +91,8 @@ class SkinnedClusters {
   void make_float_palette(int part);
   bool can_skin_in_float(int cluster);
   void skin_cluster(int cluster);
-  void skin_in_float(int cluster, FloatCluster& out);
-  void skin_in_double(int cluster, FloatCluster& out);
+  void skin_in_float(int cluster, Lanes<float>* xyz, FloatCluster& out);
+  void skin_in_double(int cluster, float* xyz, FloatCluster& out);
   void skin_block(int cluster, int block);
   void make_palette(int joint_set);
   Point3 vertex_in_world(int vertex);
@@ -113,8 +111,11 @@ class SkinnedClusters {
   SkinningPalette<double> affine_palette_;           // of all joint-sets, where joints are affine
   const SkinningPalette<double>::Arrays palette_arrays_;
   FrameStamps clusters_made_, blocks_made_;
-  std::vector<FloatCluster> clusters_;         // their storage is allocated when a query first reaches them
-  std::vector<PaddedVertex> padded_vertices_;  // by position, cluster after cluster, when the first is asked for
+  std::vector<FloatCluster> clusters_;
+  // What clusters have by position is in one array, so that those that are skinned together are near each other. Each array is made when
+  // the first of it is asked for.
+  std::vector<Lanes<float>> float_vertices_;
+  std::vector<PaddedVertex> padded_vertices_;
   const long work_of_all_;
   long clusters_skinned_ = 0, vertices_skinned_ = 0, work_ = 0;
   bool is_begun_ = false;
