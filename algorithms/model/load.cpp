@@ -12,7 +12,7 @@ namespace refitlab {
 Model load_model(const std::string& path, const LoadOptions& options) {
   const DefaultFloatEnvironment environment;
   const auto bytes = bytes_of_regular_file(path);
-  if (!bytes) throw ModelError(path, "file", "does not exist, or cannot be read");
+  if (!bytes) throw ModelError(path, "file", "does not exist, or is no regular file that can be read");
   return model_of_scene(is_gltf(*bytes, path) ? gltf_scene(*bytes, path) : assimp_scene(path), options);
 }
 

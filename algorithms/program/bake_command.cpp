@@ -222,19 +222,20 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   if (call.with_character) baked_file.character = character ? *std::move(character) : baked_character(model);
   chunks.push_back({refitlab_chunk, chunk_of(baked_file)});
   const std::string baked = glb_of(chunks, call.out), report = call.report.empty() ? "" : report_page(model, bounds, call.in);
-  write_whole(call.out, baked);
+  // OUT comes last: where another file cannot be written, nothing has taken its place, which may be IN's.
   if (!call.certificate.empty()) write_whole(call.certificate, clip_certificate(model, bounds, baked));
   if (!call.report.empty()) write_whole(call.report, report);
   if (!call.json.empty())
     write_whole(call.json, summary_json(model, bounds, call, seconds, {peak_of_bounding, peak_megabytes()}));
+  write_whole(call.out, baked);
 
   long clusters = 0;
   for (const ModelPart& part : bounds.parts) clusters += part.kind == PartKind::cluster;
   // What is written to the standard output is to be read by a program.
   std::ostream& told = is_standard_output(call.out) || is_standard_output(call.json) ? errors : out;
-  told << call.out << ": " << model.triangles.size() << " triangles in " << clusters << " clusters, " << bounds.clips.size()
-       << " clips, " << bounds.crossfades.size() << " crossfades, " << name_of(bounds.skinning) << " skinning; " << std::fixed
-       << std::setprecision(2) << seconds << " s\n";
+  told << printable(call.out) << ": " << model.triangles.size() << " triangles in " << clusters << " clusters, "
+       << bounds.clips.size() << " clips, " << bounds.crossfades.size() << " crossfades, " << name_of(bounds.skinning)
+       << " skinning; " << std::fixed << std::setprecision(2) << seconds << " s\n";
   return exit_done;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <ostream>
+#include <span>
 
 namespace refitlab {
 namespace {
@@ -21,6 +22,22 @@ std::filesystem::path place_of(const std::string& path) {
   const std::filesystem::path absolute = std::filesystem::absolute(path, error);
   const std::filesystem::path place = std::filesystem::weakly_canonical(absolute, error);
   return error ? absolute.lexically_normal() : place;
+}
+
+// Returns the option that a word names, or none.
+const boost::program_options::option_description* option_of(const boost::program_options::options_description& options,
+                                                            const std::string& word) {
+  return word.starts_with("--") && word.size() > 2 ? options.find_nothrow(word.substr(2, word.find('=') - 2), true) : nullptr;
+}
+
+// A forgotten value is not the option behind it. One that begins like an option is given as --option=value.
+void check_values(const boost::program_options::options_description& options, std::span<const std::string> words) {
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    const auto* const option = option_of(options, words[i]);
+    if (option && option->semantic()->min_tokens() > 0 && words[i].find('=') == std::string::npos &&
+        option_of(options, words[i + 1]))
+      throw UsageError(words[i] + " takes a value, and " + words[i + 1] + " is an option");
+  }
 }
 
 }  // namespace
@@ -37,12 +54,14 @@ boost::program_options::variables_map parse_arguments(const std::vector<std::str
     positions.add(file.c_str(), 1);
   }
   std::vector<std::string> words = arguments;
-  std::replace(words.begin(), std::find(words.begin(), words.end(), "--"), std::string("-h"), std::string("--help"));
+  const auto end = std::find(words.begin(), words.end(), "--");
+  std::replace(words.begin(), end, std::string("-h"), std::string("--help"));
   po::variables_map map;
   try {
     // There are no other short options: what begins with one dash is a number below 0, or a file.
     using Style = po::command_line_style::style_t;
     const int style = Style::default_style & ~Style::allow_short;
+    check_values(options, {words.begin(), end});
     po::store(po::command_line_parser(words).options(all).positional(positions).style(style).run(), map);
     po::notify(map);
   } catch (const po::error& e) {

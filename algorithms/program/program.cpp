@@ -2,7 +2,6 @@
 #include "algorithms/program/program.hpp"
 
 #include <ostream>
-#include <sstream>
 
 #include "algorithms/program/command.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
@@ -21,13 +20,8 @@ void describe(std::ostream& out) {
          "exit codes: 0 all is well; 1 a check found an error; 2 the call is wrong; 3 a file cannot be used\n";
 }
 
-// Line by line: what a message quotes of a file may not steer a terminal.
-std::string shown(const std::exception& error) {
-  std::istringstream lines(error.what());
-  std::string out;
-  for (std::string line; std::getline(lines, line);) out += (out.empty() ? "" : "\n") + printable(line);
-  return out;
-}
+// What a message quotes of a file may neither steer a terminal nor begin a line.
+std::string shown(const std::exception& error) { return printable(error.what()); }
 
 }  // namespace
 

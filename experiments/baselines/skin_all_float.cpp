@@ -13,7 +13,7 @@ class SkinnedBody {
  public:
   explicit SkinnedBody(const ClusterTree& tree) : clusters_(tree, Skinning::spherical), own_(tree.wide_nodes().size()) {
     int blocks = 0;
-    for (const WideNode& n : tree.wide_nodes()) first_block_.push_back(blocks), blocks += (n.child_count + 7) / 8;
+    for (const WideNode& n : tree.wide_nodes()) first_block_.push_back(blocks), blocks += blocks_of(n.child_count);
     boxes_.resize(blocks);
   }
 

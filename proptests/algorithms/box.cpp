@@ -118,7 +118,7 @@ void grown_boxes(Suite& t) {
         const int count = static_cast<int>(given.boxes.size());
         Box<float> first_whole;
         for (const Target target : available_targets()) {
-          std::vector<BoxBlock<float>> blocks(static_cast<std::size_t>(count + 7) / 8);
+          std::vector<BoxBlock<float>> blocks(static_cast<std::size_t>(blocks_of(count)));
           Box<float> whole;
           RC_ASSERT(box_kernels(target).put_grown(given.boxes.data(), count, given.lost, blocks.data(), whole));
           auto around = Box<float>::empty();
@@ -144,7 +144,7 @@ void grown_boxes(Suite& t) {
         if (place < 6) given.boxes[random() % given.boxes.size()].of[place + place / 3] = bad;
         else given.lost = std::abs(double(bad));
         for (const Target target : available_targets()) {
-          std::vector<BoxBlock<float>> blocks(static_cast<std::size_t>(count + 7) / 8, BoxBlock<float>{});
+          std::vector<BoxBlock<float>> blocks(static_cast<std::size_t>(blocks_of(count)), BoxBlock<float>{});
           Box<float> whole{Vec<float, 3>::Constant(7), Vec<float, 3>::Constant(8)};
           RC_ASSERT(!box_kernels(target).put_grown(given.boxes.data(), count, given.lost, blocks.data(), whole));
           RC_ASSERT(whole.low[0] == 7 && whole.high[2] == 8 && blocks[0].side[0][0] == 0);

@@ -1422,6 +1422,14 @@ void wrong_calls_and_files(Suite& t) {
                   fails(2, {"bake", "--for", "crossfade", "--rotations", "linear", in, out}, "there are slerp and nlerp") &&
                   fails(2, {"bake", "--for", "crossfade", "--crossfade-tolerance", "2", in, out}, "a number above 0") &&
                   fails(2, {"bake", "--nonsense", in, out}, "nonsense") &&
+                  fails(2, {"bake", in, out, "--json", "--quiet"}, "--json takes a value, and --quiet is an option") &&
+                  fails(2, {"collide", rigid, rigid, "--clip-a", "--time-a", "0"}, "--clip-a takes a value, and --time-a is") &&
+                  fails(3, {"collide", rigid, rigid, "--clip-a=--pairs"}, "clip '--pairs': there is no such clip") &&
+                  fails(3, {"collide", rigid, rigid, "--clip-a", "a\nb"}, "clip 'a\\x0ab': there is no such clip") &&
+                  fails(3, {"bake", "--json", folder.file(""), in, out}, "cannot replace") &&
+                  fails(3, {"bake", "--report", folder.file(""), in, out}, "cannot replace") &&
+                  fails(3, {"bake", "--certificate", folder.file(""), in, out}, "cannot replace") &&
+                  fails(3, {"collide", rigid, folder.file("")}, "is no regular file that can be read") &&
                   fails(2, {"bake", "--dop", "8", in, out}, "--dop takes 6, 14, 18 or 26") &&
                   fails(2, {"bake", "--nodes", "--no-character", in, out}, "that --no-character leaves out") &&
                   fails(2, {"bake", "--skinning", "spherical", "--certificate", out, in, out}, "for linear skinning alone") &&
@@ -1474,7 +1482,7 @@ void wrong_calls_and_files(Suite& t) {
               other[0].data = description.dump();
               write_whole(broken, glb_of(other, broken));
               good = good && fails(3, {"bake", broken, out}, "extras: /meshes/0/extras is no object");
-              return Checked(good, 125, wrong);
+              return Checked(good, 133, wrong);
             });
 }
 

@@ -34,6 +34,11 @@ struct Box {
     }
   }
 
+  // Leaves what the box has in common with another one.
+  void cut(const Box& b) {
+    for (int i = 0; i < 3; ++i) low[i] = max_of<S>(low[i], b.low[i]), high[i] = min_of<S>(high[i], b.high[i]);
+  }
+
   bool is_empty() const { return low[0] > high[0] || low[1] > high[1] || low[2] > high[2]; }
   Point center() const { return (low + high) / S(2); }
   Point edges() const { return high - low; }

@@ -23,6 +23,9 @@ struct alignas(64) BoxBlock {
   }
 };
 
+// Returns how many blocks so many boxes take.
+inline int blocks_of(int boxes) { return (boxes + 7) / 8; }
+
 // put_box writes box i of the boxes in blocks, and get_box reads it.
 template <class S>
 void put_box(BoxBlock<S>* blocks, int i, const Box<S>& box) {

@@ -13,8 +13,6 @@
 namespace refitlab {
 namespace {
 
-int blocks_of(int boxes) { return (boxes + 7) / 8; }
-
 // Returns a box around another one whose coordinates may be off by lost, grown by growth_of_float_box.
 Box<float> float_box(const Box<double>& box, double lost) {
   Box<float> out;
@@ -175,9 +173,9 @@ void ClusterBody::bound_wide_node(int f) {
   const WideNode& wide_node = tree_.wide_nodes()[f];
   BoxBlock<float>* blocks = &wide_node_blocks_[first_block_of_wide_node_[f]];
   Box<float>& whole = wide_node_boxes_[f] = Box<float>::empty();
-  if (is_all_skinned_ || (is_rather_skinned_ && f > 0 && has_only_clusters(f))) {
+  if (is_all_skinned_ || (is_rather_skinned_ && has_only_clusters(f))) {
     box_skinned(wide_node, blocks, whole);
-    if (f > 0) put_box(&wide_node_blocks_[first_block_of_wide_node_[wide_node.parent]], wide_node.child, whole);
+    if (wide_node.parent >= 0) cut_box(wide_node.parent, wide_node.child, whole);
     return wide_nodes_made_.mark(f);
   }
   // The boxes are as seen from the placement's translation, which is the clusters' origin.
@@ -223,6 +221,15 @@ bool ClusterBody::has_only_clusters(int wide_node) const {
   for (int i = 0; i < tree_.wide_nodes()[wide_node].child_count; ++i)
     if (tree_.child(wide_node, i).cluster < 0) return false;
   return true;
+}
+
+// Both boxes have four roundings to spare. If the wide node is not made in this frame, its boxes are those of another one.
+void ClusterBody::cut_box(int wide_node, int child, const Box<float>& to) {
+  if (!wide_nodes_made_.is_made(wide_node)) return;
+  BoxBlock<float>* const blocks = &wide_node_blocks_[first_block_of_wide_node_[wide_node]];
+  Box<float> box = get_box(blocks, child);
+  box.cut(to);
+  put_box(blocks, child, box);
 }
 
 // The boxes of wide nodes below come first.

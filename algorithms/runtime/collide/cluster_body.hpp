@@ -32,7 +32,7 @@ class ClusterBody {
 
   const ClusterTree& tree() const { return tree_; }
 
-  // The functions below that return boxes or clusters, and skin_all(), throw std::logic_error before the first frame.
+  // What is below and makes boxes or skins throws std::logic_error if the body is in no frame.
 
   // Returns a box in the world around the whole body, made from the joints alone; see MotionBound. With a deformation, it is around the
   // root's ball, which has all triangles.
@@ -55,13 +55,13 @@ class ClusterBody {
     return wide_node_boxes_[wide_node];
   }
 
-  // Puts the box of a cluster that a query has skinned in the place of its bound, if clusters are skinned rather than bounded; and from
+  // Cuts the bound of a cluster that a query has skinned to its vertices' box, if clusters are skinned rather than bounded; and from
   // several such clusters on, they are, unless the body is shared.
   void tighten(int cluster) {
     if (!is_shared_ && clusters_.clusters_skinned() >= least_clusters_of_contact && is_skinned_in_float()) skin_rather();
     if (!is_rather_skinned_) return;
     const Cluster& c = tree_.clusters()[cluster];
-    put_box(&wide_node_blocks_[first_block_of_wide_node_[c.wide_node]], c.child, clusters_.cluster(cluster).box);
+    cut_box(c.wide_node, c.child, clusters_.cluster(cluster).box);
   }
   // Says that queries of this frame may come in any order, and that its boxes must not depend on that.
   void share() { is_shared_ = true; }
@@ -69,9 +69,9 @@ class ClusterBody {
   // Returns whether clusters are skinned in float, except joint-sets for which this is not known to be right.
   bool is_skinned_in_float() const { return !is_deformed_ && (skinning_ == Skinning::spherical || skinning_ == Skinning::hejl); }
 
-  // From now on in this frame, clusters are skinned rather than bounded where all children of a wide node are clusters, but not below
-  // the root. In float this takes about as long, and boxes are tighter, also the one that the parent has of such a wide node; but more
-  // is skinned where little touches.
+  // From now on in this frame, clusters are skinned rather than bounded where all children of a wide node are clusters. In float this
+  // takes about as long, and boxes are tighter, also the one that the parent has of such a wide node; but more is skinned where little
+  // touches.
   void skin_rather() { is_rather_skinned_ = true; }
 
   // Skins everything. Boxes that are not made yet are then made around skinned vertices.
@@ -122,6 +122,7 @@ class ClusterBody {
   void bound_in_double(int wide_node);
   double bound_in_float(const WideNode& wide_node);
   bool has_only_clusters(int wide_node) const;
+  void cut_box(int wide_node, int child, const Box<float>& to);
   void box_skinned(const WideNode& wide_node, BoxBlock<float>* blocks, Box<float>& whole);
 
   const ClusterTree& tree_;

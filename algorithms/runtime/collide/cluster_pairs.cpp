@@ -98,11 +98,7 @@ void ClusterPairs::add(int a, int b) {
   const float slack = std::max(of_a.slack, of_b.slack + lost_);
   // A point of both clusters is in both boxes.
   Box<float> common = of_a.box;
-  const auto cut_to = [&](const Box<float>& box) {
-    for (int i = 0; i < 3; ++i)
-      common.low[i] = max_of(common.low[i], box.low[i]), common.high[i] = min_of(common.high[i], box.high[i]);
-  };
-  cut_to(box_b);
+  common.cut(box_b);
   common.grow(slack);
   const ClusterTriangles triangles_a = first_.tree().cluster_triangles(a), triangles_b = second_.tree().cluster_triangles(b);
   const int places_a = first_.tree().clusters()[a].padded_vertex_count,
@@ -115,7 +111,7 @@ void ClusterPairs::add(int a, int b) {
   kernels_.place(triangles_a, of_a.xyz, places_a, none, count_a, candidates_a, all_a);
   // The second body's triangles are culled against the candidates of the first, and these against what is left of those.
   all_a.grow(2 * slack);
-  cut_to(all_a);
+  common.cut(all_a);
   const int count_b = kernels_.cull(triangles_b, of_b.xyz, places_b, moved_back(common), candidates_b);
   if (count_b == 0) return;
   kernels_.place(triangles_b, of_b.xyz, places_b, offset_, count_b, candidates_b, all_b);

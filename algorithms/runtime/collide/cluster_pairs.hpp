@@ -46,7 +46,7 @@ class ClusterPairs {
   ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Query query, QueryCounts& counts, ClusterPairScratch& scratch);
 
   // moved() returns a box of the second body as seen from the first one's origin, and moved_back() the other way round. The boxes
-  // have four roundings of their coordinates to spare, of which this takes one.
+  // have four roundings of their coordinates to spare, of which this takes two.
   Box<float> moved(const Box<float>& of_second) const { return moved(of_second, 1); }
   Box<float> moved_back(const Box<float>& of_first) const { return moved(of_first, -1); }
 

@@ -11,8 +11,8 @@ namespace refitlab {
 
 // A Body has a tree(), and boxes in float around the vertices below, seen from the origin of its SkinnedClusters and with four
 // roundings of their coordinates to spare: wide_node_boxes(n), which are those of a wide node's children, in blocks, and
-// wide_node_box(n), which is that around all of them. Boxes among the former may become smaller while this works: tighten(cluster) may put
-// the box of a skinned cluster there, and so may opening a wide node.
+// wide_node_box(n), which is that around all of them. Boxes among the former may become smaller while this works: tighten(cluster) may cut
+// that of the cluster to its skinned vertices, and opening a wide node may cut that of the wide node.
 template <class Body>
 class ClusterTraversal {
  public:
@@ -24,7 +24,7 @@ class ClusterTraversal {
         counts_(counts),
         hits_(hits) {}
 
-  // Returns the pairs of triangles that touch. A yes/no query ends with the first clusters that have any. It looks first where boxes
+  // Returns the pairs of triangles that touch. A yes/no query ends with the first clusters in which floats find any. It looks first where boxes
   // reach deepest into each other.
   std::vector<TrianglePair> run() {
     const Hits tops(*this, first_, 0, pairs_.moved(second_.wide_node_box(0)));

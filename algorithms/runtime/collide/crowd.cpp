@@ -96,7 +96,6 @@ std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query que
   std::vector<QueryCounts> tests(pairs.size());
   std::vector<std::mutex> in_work(bodies.size());
   for_each(workers, pairs.size(), [&](std::size_t i) {
-    const DefaultFloatEnvironment of_this_thread;
     const auto [a, b] = pairs[i];
     const std::scoped_lock both(in_work[a], in_work[b]);
     found[i] = {a, b, collide(*bodies[a], *bodies[b], query, tests[i])};

@@ -23,7 +23,7 @@ class PairMemory {
     if (pairs_.size() == most) pairs_.pop_back();
     pairs_.insert(pairs_.begin(), pair);
   }
-  // Adds as many of the pairs found in a frame as there is room for, spread over all of them.
+  // Adds some of the pairs found in a frame, spread over all of them: at most as many as there is room for.
   void remember(const std::vector<ClusterPair>& pairs) {
     const std::size_t count = std::min(most, pairs.size());
     for (std::size_t i = 0; i < count; ++i) remember(pairs[i * pairs.size() / count]);

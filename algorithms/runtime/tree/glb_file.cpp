@@ -24,7 +24,7 @@ void put_word(std::string& bytes, std::uint32_t word) {
 }  // namespace
 
 std::vector<GlbChunk> read_glb(const std::string& bytes, const std::string& file) {
-  if (bytes.size() < header_size || word_at(bytes, 0) != glb_magic) throw ModelError(file, "file", "it is no binary glTF");
+  if (bytes.size() < header_size || word_at(bytes, 0) != glb_magic) throw ModelError(file, "file", "it is no binary glTF (.glb)");
   if (word_at(bytes, 4) != glb_version)
     throw ModelError(file, "file", "it is glTF " + std::to_string(word_at(bytes, 4)) + ", and only glTF 2 is read");
   if (word_at(bytes, 8) != bytes.size())
