@@ -203,6 +203,34 @@ void check_crowd_of_all_kinds() {
 
 }  // namespace
 
+void in_another_order(Suite& t) {
+  t.example("workers that take the tasks in another order find the same contacts", {}, [] {
+    const auto man = bake(make_man());
+    const ClusterTree tree(man);
+    ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical), c(tree, Skinning::spherical),
+        d(tree, Skinning::spherical);
+    ClusterBody* const bodies[] = {&a, &b, &c, &d};
+    const auto begin = [&](ClusterBody& body, int place) {
+      body.begin(man.clips[0].sample(0.2 * place), {identity_quaternion<double>(), {0.25 * place, 0, 0}});
+    };
+    const auto outcome = [&](const Workers& workers) {
+      for (int i = 0; i < 4; ++i) begin(*bodies[i], i);
+      return outcome_of(bodies, workers);
+    };
+    const Workers backwards{[](void*, std::size_t count, void (*task)(void*, std::size_t), void* data) {
+      while (count-- > 0) task(data, count);
+    }};
+    const CrowdOutcome one = outcome(one_worker());
+    const bool is_same = one.contacts.size() >= 3 && outcome(backwards) == one;
+    // Afterwards a query by itself works as with bodies that were in no crowd.
+    ClusterBody new_a(tree, Skinning::spherical), new_b(tree, Skinning::spherical);
+    begin(a, 0), begin(b, 1), begin(new_a, 0), begin(new_b, 1);
+    QueryCounts after, fresh;
+    collide(a, b, Query::full, after), collide(new_a, new_b, Query::full, fresh);
+    return Checked(is_same && after.ball_tests == fresh.ball_tests && a.nodes_bounded() == new_a.nodes_bounded(), 3);
+  });
+}
+
 PROPTEST(crowd) {
   contacts_are_those_of_all_pairs(t);
   t.holds(
@@ -271,31 +299,7 @@ PROPTEST(crowd) {
       }
     return Checked(true, tried);
   });
-  t.example("workers that take the tasks in another order find the same contacts", {}, [] {
-    const auto man = bake(make_man());
-    const ClusterTree tree(man);
-    ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical), c(tree, Skinning::spherical),
-        d(tree, Skinning::spherical);
-    ClusterBody* const bodies[] = {&a, &b, &c, &d};
-    const auto begin = [&](ClusterBody& body, int place) {
-      body.begin(man.clips[0].sample(0.2 * place), {identity_quaternion<double>(), {0.25 * place, 0, 0}});
-    };
-    const auto outcome = [&](const Workers& workers) {
-      for (int i = 0; i < 4; ++i) begin(*bodies[i], i);
-      return outcome_of(bodies, workers);
-    };
-    const Workers backwards{[](void*, std::size_t count, void (*task)(void*, std::size_t), void* data) {
-      while (count-- > 0) task(data, count);
-    }};
-    const CrowdOutcome one = outcome(one_worker());
-    const bool is_same = one.contacts.size() >= 3 && outcome(backwards) == one;
-    // Afterwards a query by itself works as with bodies that were in no crowd.
-    ClusterBody new_a(tree, Skinning::spherical), new_b(tree, Skinning::spherical);
-    begin(a, 0), begin(b, 1), begin(new_a, 0), begin(new_b, 1);
-    QueryCounts after, fresh;
-    collide(a, b, Query::full, after), collide(new_a, new_b, Query::full, fresh);
-    return Checked(is_same && after.ball_tests == fresh.ball_tests && a.nodes_bounded() == new_a.nodes_bounded(), 3);
-  });
+  in_another_order(t);
 }
 
 }  // namespace proptests::suite_crowd
