@@ -76,8 +76,6 @@ class Clustering {
   double extent_;  // the length that a full change of weight counts as
 };
 
-using PieceWeightVertices = std::vector<std::vector<double>>;
-
 class NodeClusters {
  public:
   NodeClusters(const SkinnedMesh& mesh, const JointSets& sets, const PieceOptions& options)
@@ -115,13 +113,13 @@ class NodeClusters {
     return done;
   }
 
-  PieceWeightVertices weight_vertices_of(const Cluster& c) const {
+  std::vector<std::vector<double>> weight_vertices_of(const Cluster& c) const {
     std::vector<std::span<const double>> weights;
     for (const int v : c.vertices) weights.push_back(sets_.weights(v));
     return weight_polytope(weights);
   }
 
-  bool is_better_as_vertices(const Cluster& c, const PieceWeightVertices& weight_vertices) const {
+  bool is_better_as_vertices(const Cluster& c, const std::vector<std::vector<double>>& weight_vertices) const {
     if (c.displacement > options_.least_displacement && c.vertices.size() <= options_.most_displaced_vertices) return true;
     if (weight_vertices.size() == 1 && c.vertices.size() <= options_.most_stretched_vertices) return true;
     const auto m = static_cast<double>(weight_vertices.size());

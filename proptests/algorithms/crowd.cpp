@@ -201,8 +201,6 @@ void check_crowd_of_all_kinds() {
   }
 }
 
-}  // namespace
-
 void in_another_order(Suite& t) {
   t.example("workers that take the tasks in another order find the same contacts", {}, [] {
     const auto man = bake(make_man());
@@ -230,6 +228,8 @@ void in_another_order(Suite& t) {
     return Checked(is_same && after.ball_tests == fresh.ball_tests && a.nodes_bounded() == new_a.nodes_bounded(), 3);
   });
 }
+
+}  // namespace
 
 PROPTEST(crowd) {
   contacts_are_those_of_all_pairs(t);

@@ -1398,6 +1398,15 @@ void parts_without_a_ball_for_any_pose(Suite& t) {
   });
 }
 
+// Whether a call exits with this code, says this and writes no file out. If not, what it did is added to wrong.
+bool is_refused(int code, const std::vector<std::string>& arguments, const std::string& reason, const std::string& out,
+                std::string& wrong) {
+  const Called called = call(arguments);
+  const bool is = called.code == code && called.errors.find(reason) != std::string::npos && !std::filesystem::exists(out);
+  if (!is) wrong += reason + ": " + std::to_string(called.code) + " " + called.errors + "; ";
+  return is;
+}
+
 void words_in_the_wrong_place(Suite& t) {
   t.example("a forgotten value is not the option behind it, names begin no line, and OUT stays if another file cannot be written",
             {}, [] {
@@ -1406,11 +1415,7 @@ void words_in_the_wrong_place(Suite& t) {
               const std::string rigid = even.folder.file("in.glb"), in = folder.file("in.glb"), out = folder.file("never.glb");
               std::string wrong;
               const auto fails = [&](int code, const std::vector<std::string>& arguments, const std::string& reason) {
-                const Called called = call(arguments);
-                const bool is_so =
-                    called.code == code && called.errors.find(reason) != std::string::npos && !std::filesystem::exists(out);
-                if (!is_so) wrong += reason + ": " + std::to_string(called.code) + " " + called.errors + "; ";
-                return is_so;
+                return is_refused(code, arguments, reason, out, wrong);
               };
               const bool good =
                   fails(2, {"bake", in, out, "--json", "--quiet"}, "--json takes a value, and --quiet is an option") &&
@@ -1435,10 +1440,7 @@ void wrong_calls_and_files(Suite& t) {
               const std::string in = folder.file("in.glb"), out = folder.file("never.glb"), broken = folder.file("broken.glb");
               const std::string bytes = read_whole(in);
               const auto fails = [&](int code, const std::vector<std::string>& arguments, const std::string& reason) {
-                const Called called = call(arguments);
-                if (called.code != code || called.errors.find(reason) == std::string::npos)
-                  wrong += reason + ": " + std::to_string(called.code) + " " + called.errors + "; ";
-                return called.code == code && called.errors.find(reason) != std::string::npos && !std::filesystem::exists(out);
+                return is_refused(code, arguments, reason, out, wrong);
               };
               bool good =
                   fails(2, {"bake", in}, "it takes a file more: OUT.glb") && fails(2, {"frob"}, "there is no command frob") &&
