@@ -12,8 +12,8 @@ CandidatePairs::CandidatePairs(const SkinnedMesh& mesh, VertexInWorld vertex)
       vertex_(std::move(vertex)),
       sides_{{FrameStamps(mesh.triangles.size()), std::vector<Lanes<float>>(mesh.triangles.size())},
              {FrameStamps(mesh.triangles.size()), std::vector<Lanes<float>>(mesh.triangles.size())}},
-      meet_(many),
-      unknown_(many) {}
+      meet_(many + Lanes<float>::count),
+      unknown_(many + Lanes<float>::count) {}
 
 void CandidatePairs::begin(const Point3& origin) {
   origin_ = origin, largest_ = 0;

@@ -536,6 +536,38 @@ void when_clusters_are_rather_skinned(Suite& t) {
   });
 }
 
+void boxes_once_all_is_skinned(Suite& t) {
+  t.example("once all is skinned, boxes are around skinned vertices, also where they were bounds before", {}, [] {
+    const auto man = bake(make_man());
+    const ClusterTree tree(man, {.most_triangles = 32, .most_children = 5});
+    ClusterBody body(tree, Skinning::spherical);
+    long wrong = 0, boxes = 0, smaller = 0;
+    const auto same = [](const Box<float>& a, const Box<float>& b) { return a.low == b.low && a.high == b.high; };
+    for (const bool rather : {false, true}) {
+      body.begin(man.clips[0].sample(0.3), {});
+      if (rather) body.skin_rather();
+      std::vector<Box<float>> bounds;
+      for (int f = 0; f < static_cast<int>(tree.wide_nodes().size()); f += 2) bounds.push_back(body.wide_node_box(f));
+      const long bounded = body.nodes_bounded();
+      body.skin_all();
+      for (int f = 0; f < static_cast<int>(tree.wide_nodes().size()); ++f) {
+        Box<float> all = Box<float>::empty();
+        for (int i = 0; i < tree.wide_nodes()[f].child_count; ++i, ++boxes) {
+          const WideNodeChild& child = tree.child(f, i);
+          const Box<float> box = get_box(body.wide_node_boxes(f), i);
+          all.merge(box);
+          wrong +=
+              !same(box, child.cluster >= 0 ? body.clusters().cluster(child.cluster).box : body.wide_node_box(child.wide_node));
+        }
+        wrong += !same(body.wide_node_box(f), all);
+        smaller += f % 2 == 0 && body.wide_node_box(f).extent() < bounds[f / 2].extent();
+      }
+      wrong += body.nodes_bounded() != bounded;
+    }
+    return Checked(wrong == 0 && smaller > 10, boxes, std::to_string(smaller) + " are smaller than the bounds before");
+  });
+}
+
 void two_walking_men(Suite& t) {
   t.example("no more is looked at than is near: boxes, pairs of triangles and vertices of two men, at three distances", {}, [] {
     TwoMen men;
@@ -642,8 +674,8 @@ void bodies_that_are_skinned_whole(Suite& t) {
           while (count < 100 && at(0.2 + 0.001 * count, place)) ++count;
           return count;
         };
-        ok = ok && !at(0.2, in_place) && memory.are_entangled() && whole_in_a_row(in_place) == 8 && memory.are_entangled() &&
-             whole_in_a_row(near) == 16 && !memory.are_entangled() && !at(0.2, near) && a.excess_work() + b.excess_work() < 0;
+        ok = ok && !at(0.2, in_place) && memory.are_entangled() && whole_in_a_row(in_place) == 16 && memory.are_entangled() &&
+             whole_in_a_row(near) == 32 && !memory.are_entangled() && !at(0.2, near) && a.excess_work() + b.excess_work() < 0;
         ok = ok && !at(0.2, in_place) && at(0.2, in_place) && at(0.2, away) && !memory.are_entangled() && !at(0.2, away) &&
              a.nodes_bounded() == 0;
         // Clusters that touch again tell nothing of how much work the next query does.
@@ -842,6 +874,7 @@ PROPTEST(cluster_collide) {
   clusters_and_wide_nodes(t);
   what_is_counted(t);
   when_clusters_are_rather_skinned(t);
+  boxes_once_all_is_skinned(t);
   two_walking_men(t);
   bodies_that_are_skinned_whole(t);
   deepest_boxes_come_first(t);

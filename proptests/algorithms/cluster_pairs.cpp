@@ -348,7 +348,7 @@ PROPTEST(cluster_pairs) {
             constexpr int count = 40;
             Candidates room_a, room_b;
             room_a.reserve(count, 16), room_b.reserve(count, 16);
-            std::vector<std::int32_t> first(count), second(count), meet(count), unknown(count);
+            std::vector<std::int32_t> first(count), second(count), meet(count + 16), unknown(count + 16);
             std::vector<bool> truth;
             const auto put = [&](Candidates& c, int k, const TrianglePoints& t) {
               for (int i = 0; i < 9; ++i) {

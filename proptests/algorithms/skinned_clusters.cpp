@@ -155,7 +155,7 @@ std::vector<FloatImage> skinned_by(Target target, const ClusterTree& tree, const
   const PalettePacks packs(c.mesh, c.sets, skinning);
   const FloatPlacement at = {{0.8, 0, -0.6, 0}, {1, 2, -3}, 0, 0};
   std::vector<FloatPaletteEntry> palette(c.sets.count());
-  for (int part = 0; part < packs.part_count(); ++part) packs.make_float_part(part, pose, at, palette.data(), target);
+  for (int part = 0; part < packs.part_count(); ++part) packs.make_floats(packs.sets_of(part), pose, at, palette.data(), target);
   std::vector<FloatImage> out;
   for (int n = 0; n < static_cast<int>(tree.clusters().size()); ++n) {
     const auto runs = tree.floats().runs(n);

@@ -19,7 +19,7 @@ class FloatVertices {
   int block_count(int group) const { return block_count_[group]; }
 
   // Skins a group to out, which gets the x of all its blocks, then y, then z. palette is by joint-set, made for its runs by
-  // PalettePacks::make_float_part, with finite slacks. box becomes the box around the result. Returns the largest of the slacks.
+  // PalettePacks::make_floats, with finite slacks. box becomes the box around the result. Returns the largest of the slacks.
   float skin(int group, const FloatPaletteEntry* palette, Lanes<float>* out, Box<float>& box,
              Target target = best_target()) const;
 

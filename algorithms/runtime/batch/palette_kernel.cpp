@@ -30,12 +30,6 @@ struct Columns {
   }
 };
 
-// Gathers record index[lane] of an array into each lane.
-void gather(const double* records, const std::int32_t* index, Columns& out) {
-  const double* rows[8];
-  for (int lane = 0; lane < 8; ++lane) rows[lane] = records + 8 * index[lane];
-  transpose<double>(rows, out.of[0], palette_lanes);
-}
 // Writes the lanes' records, one after the other.
 void to_rows(const Columns& columns, double* rows) {
   const double* from[8];
@@ -43,10 +37,25 @@ void to_rows(const Columns& columns, double* rows) {
   transpose<double>(from, rows, 8);
 }
 
-Vec<S, 3> load_point(const double (&numbers)[3][palette_lanes], int first) {
-  const auto load = [&](int i) { return S(numbers[i] + first, std::experimental::vector_aligned); };
-  return {load(0), load(1), load(2)};
-}
+// PackLanes has the sources of a pack, and the joints of its lanes as they are posed.
+template <int N>
+struct PackLanes {
+  Columns sources, posed[N];
+
+  PackLanes(const PaletteSource* all, const PalettePack& pack, const double* pose) {
+    const double* rows[8];
+    for (int lane = 0; lane < 8; ++lane) rows[lane] = all[pack.set[lane]].numbers;
+    transpose<double>(rows, sources.of[0], palette_lanes);
+    for (int j = 0; j < N; ++j) {
+      for (int lane = 0; lane < 8; ++lane) rows[lane] = pose + 8 * all[pack.set[lane]].joint[j];
+      transpose<double>(rows, posed[j].of[0], palette_lanes);
+    }
+  }
+
+  Vec<S, 3> prior(int first) const { return {sources.load(0, first), sources.load(1, first), sources.load(2, first)}; }
+  Vec<S, 3> middle(int first) const { return {sources.load(3, first), sources.load(4, first), sources.load(5, first)}; }
+  S radius(int first) const { return sources.load(6, first); }
+};
 
 // JointLanes holds what skinning prepares for the joints of each lane.
 template <int N>
@@ -54,59 +63,58 @@ struct JointLanes {
   RigidTransform<S> transforms[N];
   Vec<S, 3> center, images[N];
 
-  JointLanes(const Columns (&posed)[N], const PalettePack& pack, int first, bool is_center_fixed) {
+  JointLanes(const PackLanes<N>& of_pack, int first, bool is_center_fixed) {
     for (int j = 0; j < N; ++j) {
-      for (int i = 0; i < 4; ++i) transforms[j].rotation[i] = posed[j].load(i, first);
-      for (int i = 0; i < 3; ++i) transforms[j].translation[i] = posed[j].load(4 + i, first);
+      for (int i = 0; i < 4; ++i) transforms[j].rotation[i] = of_pack.posed[j].load(i, first);
+      for (int i = 0; i < 3; ++i) transforms[j].translation[i] = of_pack.posed[j].load(4 + i, first);
     }
     make_signs_consistent<S>(transforms);
-    center = load_point(pack.prior, first);
+    center = of_pack.prior(first);
     if (N > 1 && !is_center_fixed) center = rotation_center<S>(transforms, center);
     for (int j = 0; j < N; ++j) images[j] = apply(transforms[j], center);
   }
 };
 
 template <int N>
-void run_joints(const PalettePack* packs, int count, bool are_centers_fixed, const double* pose, const PaletteNumbers& out) {
-  Columns posed[N], centers, images[N];  // images: C_j r_c, an unused one, then the dual part
+void run_joints(const PaletteSource* sources, const PalettePack& pack, bool are_centers_fixed, const double* pose,
+                const PaletteNumbers& out) {
+  PackLanes<N> of_pack(sources, pack, pose);
+  Columns centers, images[N];  // images: C_j r_c, an unused one, then the dual part
   for (int j = 0; j < N; ++j) images[j].clear(3);
   for (int i = 3; i < 8; ++i) centers.clear(i);
-  for (const PalettePack* pack = packs; pack != packs + count; ++pack) {
-    for (int j = 0; j < N; ++j) gather(pose, pack->joint[j], posed[j]);
-    for (int first = 0; first < palette_lanes; first += width) {
-      const JointLanes<N> lanes(posed, *pack, first, are_centers_fixed);
-      centers.store(0, first, lanes.center);
-      for (int j = 0; j < N; ++j) {
-        posed[j].store(0, first, lanes.transforms[j].rotation);
-        images[j].store(0, first, lanes.images[j]);
-        images[j].store(4, first, dual_part(lanes.transforms[j]));
-      }
-    }
-    alignas(64) double rows[palette_lanes][8];
-    to_rows(centers, rows[0]);
-    for (int lane = 0; lane < palette_lanes; ++lane)
-      std::memcpy(out.rotation_centers + 3 * pack->set[lane], rows[lane], 3 * sizeof(double));
+  for (int first = 0; first < palette_lanes; first += width) {
+    const JointLanes<N> lanes(of_pack, first, are_centers_fixed);
+    centers.store(0, first, lanes.center);
     for (int j = 0; j < N; ++j) {
-      to_rows(posed[j], rows[0]);
-      for (int lane = 0; lane < palette_lanes; ++lane)
-        std::memcpy(out.transforms + 8 * (pack->first_slot[lane] + j), rows[lane], 8 * sizeof(double));
-      to_rows(images[j], rows[0]);
-      for (int lane = 0; lane < palette_lanes; ++lane) {
-        const int slot = pack->first_slot[lane] + j;
-        std::memcpy(out.center_images + 3 * slot, rows[lane], 3 * sizeof(double));
-        std::memcpy(out.duals + 4 * slot, rows[lane] + 4, 4 * sizeof(double));
-      }
+      of_pack.posed[j].store(0, first, lanes.transforms[j].rotation);
+      images[j].store(0, first, lanes.images[j]);
+      images[j].store(4, first, dual_part(lanes.transforms[j]));
+    }
+  }
+  alignas(64) double rows[palette_lanes][8];
+  to_rows(centers, rows[0]);
+  for (int lane = 0; lane < palette_lanes; ++lane)
+    std::memcpy(out.rotation_centers + 3 * pack.set[lane], rows[lane], 3 * sizeof(double));
+  for (int j = 0; j < N; ++j) {
+    to_rows(of_pack.posed[j], rows[0]);
+    for (int lane = 0; lane < palette_lanes; ++lane)
+      std::memcpy(out.transforms + 8 * (sources[pack.set[lane]].first_slot + j), rows[lane], 8 * sizeof(double));
+    to_rows(images[j], rows[0]);
+    for (int lane = 0; lane < palette_lanes; ++lane) {
+      const int slot = sources[pack.set[lane]].first_slot + j;
+      std::memcpy(out.center_images + 3 * slot, rows[lane], 3 * sizeof(double));
+      std::memcpy(out.duals + 4 * slot, rows[lane] + 4, 4 * sizeof(double));
     }
   }
 }
 
-REFITLAB_KERNEL void run(const PalettePack* packs, int count, int joints, bool are_centers_fixed, const double* pose,
-                         const PaletteNumbers& out) {
+REFITLAB_KERNEL void run(const PaletteSource* sources, const PalettePack& pack, int joints, bool are_centers_fixed,
+                         const double* pose, const PaletteNumbers& out) {
   switch (joints) {
-    case 1: return run_joints<1>(packs, count, are_centers_fixed, pose, out);
-    case 2: return run_joints<2>(packs, count, are_centers_fixed, pose, out);
-    case 3: return run_joints<3>(packs, count, are_centers_fixed, pose, out);
-    default: return run_joints<4>(packs, count, are_centers_fixed, pose, out);
+    case 1: return run_joints<1>(sources, pack, are_centers_fixed, pose, out);
+    case 2: return run_joints<2>(sources, pack, are_centers_fixed, pose, out);
+    case 3: return run_joints<3>(sources, pack, are_centers_fixed, pose, out);
+    default: return run_joints<4>(sources, pack, are_centers_fixed, pose, out);
   }
 }
 
@@ -142,78 +150,76 @@ S float_slack(const JointLanes<N>& lanes, const Vec<S, 3>& offset, const S& radi
 }
 
 template <int N>
-void run_float_joints(const PalettePack* packs, int count, bool are_centers_fixed, const double* pose, const FloatPlacement& at,
-                      FloatPaletteEntry* out) {
+void run_float_joints(const PaletteSource* sources, const PalettePack& pack, bool are_centers_fixed, const double* pose,
+                      const FloatPlacement& at, FloatPaletteEntry* out) {
+  const PackLanes<N> of_pack(sources, pack, pose);
   RigidTransform<S> placement;
   for (int i = 0; i < 4; ++i) placement.rotation[i] = S(at.rotation[i]);
   for (int i = 0; i < 3; ++i) placement.translation[i] = S(at.translation[i]);
-  Columns posed[N], centers, placed[N];  // centers: r and the slack
+  Columns centers, placed[N];  // centers: r and the slack
   for (int j = 0; j < N; ++j) placed[j].clear(7);
   for (int i = 4; i < 8; ++i) centers.clear(i);
-  for (const PalettePack* pack = packs; pack != packs + count; ++pack) {
-    for (int j = 0; j < N; ++j) gather(pose, pack->joint[j], posed[j]);
-    Columns rest;  // of one joint: the last row of the matrix
-    for (int i = 4; i < 8; ++i) rest.clear(i);
-    for (int first = 0; first < palette_lanes; first += width) {
-      const JointLanes<N> lanes(posed, *pack, first, are_centers_fixed);
-      const Vec<S, 3> offset = lanes.center - load_point(pack->middle, first);
-      RigidTransform<S> of_first;  // q_0 and c_0
-      S squared_image;
-      for (int j = 0; j < N; ++j) {
-        const Quaternion<S> turn = multiply(placement.rotation, lanes.transforms[j].rotation);
-        const Vec<S, 3> image = apply(placement, lanes.images[j]);
-        const S squared = squared_norm(image);
-        if (j == 0) of_first = {turn, image}, squared_image = squared;
-        else squared_image = max_of(squared_image, squared);
-        const Quaternion<S> turn_from = turn - of_first.rotation;
-        const Vec<S, 3> image_from = image - of_first.translation;
-        placed[j].store(0, first, j == 0 ? turn : turn_from);
-        placed[j].store(4, first, j == 0 ? image : image_from);
-      }
-      if constexpr (N == 1) {
-        const S scale = S(1) / squared_norm(of_first.rotation);
-        Vec<S, 3> column[3];
-        for (int k = 0; k < 3; ++k) {
-          Vec<S, 3> unit = Vec<S, 3>::Constant(S(0));
-          unit[k] = S(1);
-          column[k] = rotate_scaled(of_first.rotation, unit) * scale;
-        }
-        const Vec<S, 3> end = of_first.translation - (column[0] * offset[0] + column[1] * offset[1] + column[2] * offset[2]);
-        for (int i = 0; i < 2; ++i) {
-          for (int k = 0; k < 3; ++k) column[k][i].copy_to(placed[0].of[4 * i + k] + first, std::experimental::vector_aligned);
-          end[i].copy_to(placed[0].of[4 * i + 3] + first, std::experimental::vector_aligned);
-        }
-        for (int k = 0; k < 3; ++k) column[k][2].copy_to(rest.of[k] + first, std::experimental::vector_aligned);
-        end[2].copy_to(rest.of[3] + first, std::experimental::vector_aligned);
-      }
-      centers.store(0, first, offset);
-      float_slack(lanes, offset, S(pack->radius + first, std::experimental::vector_aligned), squared_image, at)
-          .copy_to(centers.of[3] + first, std::experimental::vector_aligned);
-    }
-    alignas(64) float rows[palette_lanes][8];
-    to_float_rows(centers, rows);
-    for (int lane = 0; lane < palette_lanes; ++lane) std::memcpy(out[pack->set[lane]].center, rows[lane], 4 * sizeof(float));
+  Columns rest;  // of one joint: the last row of the matrix
+  for (int i = 4; i < 8; ++i) rest.clear(i);
+  for (int first = 0; first < palette_lanes; first += width) {
+    const JointLanes<N> lanes(of_pack, first, are_centers_fixed);
+    const Vec<S, 3> offset = lanes.center - of_pack.middle(first);
+    RigidTransform<S> of_first;  // q_0 and c_0
+    S squared_image;
     for (int j = 0; j < N; ++j) {
-      to_float_rows(placed[j], rows);
-      for (int lane = 0; lane < palette_lanes; ++lane) {
-        FloatPaletteEntry& entry = out[pack->set[lane]];
-        std::memcpy(N == 1 ? entry.more[0] : j == 0 ? entry.first : entry.more[j - 1], rows[lane], sizeof rows[lane]);
-      }
+      const Quaternion<S> turn = multiply(placement.rotation, lanes.transforms[j].rotation);
+      const Vec<S, 3> image = apply(placement, lanes.images[j]);
+      const S squared = squared_norm(image);
+      if (j == 0) of_first = {turn, image}, squared_image = squared;
+      else squared_image = max_of(squared_image, squared);
+      const Quaternion<S> turn_from = turn - of_first.rotation;
+      const Vec<S, 3> image_from = image - of_first.translation;
+      placed[j].store(0, first, j == 0 ? turn : turn_from);
+      placed[j].store(4, first, j == 0 ? image : image_from);
     }
     if constexpr (N == 1) {
-      to_float_rows(rest, rows);
-      for (int lane = 0; lane < palette_lanes; ++lane) std::memcpy(out[pack->set[lane]].more[1], rows[lane], sizeof rows[lane]);
+      const S scale = S(1) / squared_norm(of_first.rotation);
+      Vec<S, 3> column[3];
+      for (int k = 0; k < 3; ++k) {
+        Vec<S, 3> unit = Vec<S, 3>::Constant(S(0));
+        unit[k] = S(1);
+        column[k] = rotate_scaled(of_first.rotation, unit) * scale;
+      }
+      const Vec<S, 3> end = of_first.translation - (column[0] * offset[0] + column[1] * offset[1] + column[2] * offset[2]);
+      for (int i = 0; i < 2; ++i) {
+        for (int k = 0; k < 3; ++k) column[k][i].copy_to(placed[0].of[4 * i + k] + first, std::experimental::vector_aligned);
+        end[i].copy_to(placed[0].of[4 * i + 3] + first, std::experimental::vector_aligned);
+      }
+      for (int k = 0; k < 3; ++k) column[k][2].copy_to(rest.of[k] + first, std::experimental::vector_aligned);
+      end[2].copy_to(rest.of[3] + first, std::experimental::vector_aligned);
     }
+    centers.store(0, first, offset);
+    float_slack(lanes, offset, of_pack.radius(first), squared_image, at)
+        .copy_to(centers.of[3] + first, std::experimental::vector_aligned);
+  }
+  alignas(64) float rows[palette_lanes][8];
+  to_float_rows(centers, rows);
+  for (int lane = 0; lane < palette_lanes; ++lane) std::memcpy(out[pack.set[lane]].center, rows[lane], 4 * sizeof(float));
+  for (int j = 0; j < N; ++j) {
+    to_float_rows(placed[j], rows);
+    for (int lane = 0; lane < palette_lanes; ++lane) {
+      FloatPaletteEntry& entry = out[pack.set[lane]];
+      std::memcpy(N == 1 ? entry.more[0] : j == 0 ? entry.first : entry.more[j - 1], rows[lane], sizeof rows[lane]);
+    }
+  }
+  if constexpr (N == 1) {
+    to_float_rows(rest, rows);
+    for (int lane = 0; lane < palette_lanes; ++lane) std::memcpy(out[pack.set[lane]].more[1], rows[lane], sizeof rows[lane]);
   }
 }
 
-REFITLAB_KERNEL void run_float(const PalettePack* packs, int count, int joints, bool are_centers_fixed, const double* pose,
-                               const FloatPlacement& at, FloatPaletteEntry* out) {
+REFITLAB_KERNEL void run_float(const PaletteSource* sources, const PalettePack& pack, int joints, bool are_centers_fixed,
+                               const double* pose, const FloatPlacement& at, FloatPaletteEntry* out) {
   switch (joints) {
-    case 1: return run_float_joints<1>(packs, count, are_centers_fixed, pose, at, out);
-    case 2: return run_float_joints<2>(packs, count, are_centers_fixed, pose, at, out);
-    case 3: return run_float_joints<3>(packs, count, are_centers_fixed, pose, at, out);
-    default: return run_float_joints<4>(packs, count, are_centers_fixed, pose, at, out);
+    case 1: return run_float_joints<1>(sources, pack, are_centers_fixed, pose, at, out);
+    case 2: return run_float_joints<2>(sources, pack, are_centers_fixed, pose, at, out);
+    case 3: return run_float_joints<3>(sources, pack, are_centers_fixed, pose, at, out);
+    default: return run_float_joints<4>(sources, pack, are_centers_fixed, pose, at, out);
   }
 }
 

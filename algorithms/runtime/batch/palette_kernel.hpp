@@ -12,13 +12,18 @@ namespace refitlab {
 inline constexpr int palette_lanes = 8;
 inline constexpr int most_palette_joints = 4;  // of a joint-set in a pack
 
-// The arrays are by lane. Lanes beyond the last joint-set repeat it.
+// A PaletteSource is what the data of a joint-set are made from, besides the pose.
+struct alignas(64) PaletteSource {
+  // These are the prior of the rotation center, m of the joint-set, the largest |v - m| of its vertices (float_palette.hpp), and an
+  // unused one.
+  double numbers[8];
+  std::int32_t joint[most_palette_joints], joint_count;  // 0 if it has more than a pack takes
+  std::int32_t first_slot;                               // where its joints' data go
+};
+
+// A PalettePack has the joint-sets of its lanes. Lanes beyond the last joint-set repeat it.
 struct PalettePack {
-  alignas(64) double prior[3][palette_lanes];  // of the rotation center
-  double middle[3][palette_lanes];             // m of the joint-set, and the largest |v - m| of its vertices: float_palette.hpp
-  double radius[palette_lanes];
-  std::int32_t joint[most_palette_joints][palette_lanes];
-  std::int32_t set[palette_lanes], first_slot[palette_lanes];  // where its own and its joints' data go
+  std::int32_t set[palette_lanes];
 };
 
 // PaletteNumbers has the arrays of a SkinningPalette as numbers.
@@ -29,13 +34,14 @@ struct PaletteNumbers {
   double* duals;             // 4 each
 };
 
-// pose is by joint, in the layout of the transforms. If are_centers_fixed, the priors are the rotation centers.
-using PaletteRun = void (*)(const PalettePack* packs, int count, int joints, bool are_centers_fixed, const double* pose,
-                            const PaletteNumbers& out);
+// sources are by joint-set. pose is by joint, in the layout of the transforms. If are_centers_fixed, the priors are the rotation
+// centers.
+using PaletteRun = void (*)(const PaletteSource* sources, const PalettePack& pack, int joints, bool are_centers_fixed,
+                            const double* pose, const PaletteNumbers& out);
 
 // Does the same for skinning in float. out is by joint-set.
-using FloatPaletteRun = void (*)(const PalettePack* packs, int count, int joints, bool are_centers_fixed, const double* pose,
-                                 const FloatPlacement& at, FloatPaletteEntry* out);
+using FloatPaletteRun = void (*)(const PaletteSource* sources, const PalettePack& pack, int joints, bool are_centers_fixed,
+                                 const double* pose, const FloatPlacement& at, FloatPaletteEntry* out);
 
 struct PaletteKernels {
   PaletteRun run;

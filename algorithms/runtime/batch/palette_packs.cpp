@@ -9,41 +9,46 @@
 #include "algorithms/runtime/skinning/rotation_center.hpp"
 
 namespace refitlab {
+namespace {
+
+// Returns the pack of at most palette_lanes joint-sets.
+PalettePack pack_of(std::span<const int> joint_sets) {
+  PalettePack out;
+  for (std::size_t lane = 0; lane < palette_lanes; ++lane) out.set[lane] = joint_sets[std::min(lane, joint_sets.size() - 1)];
+  return out;
+}
+
+}  // namespace
 
 PalettePacks::PalettePacks(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning, std::span<const int> order)
     : mesh_(mesh),
       sets_(sets),
       skinning_(skinning),
       part_of_(sets.count()) {
+  const DefaultFloatEnvironment environment;
   const auto balls = joint_set_balls(mesh, sets);
-  for (int s = 0; s < sets.count(); ++s) first_slot_.push_back(first_slot_.back() + sets.joints(s).size());
+  int last_part[most_palette_joints + 1];  // by number of joints
+  std::fill(std::begin(last_part), std::end(last_part), -1);
+  for (int s = 0; s < sets.count(); ++s) {
+    const auto joints = sets.joints(s);
+    PaletteSource& source = sources_.emplace_back();
+    const Point3 prior = center_prior(mesh, joints, skinning);
+    for (int i = 0; i < 3; ++i) source.numbers[i] = prior[i], source.numbers[3 + i] = balls[s].center[i];
+    source.numbers[6] = balls[s].radius;
+    if (joints.size() <= most_palette_joints) {
+      source.joint_count = static_cast<std::int32_t>(joints.size());
+      std::copy(joints.begin(), joints.end(), source.joint);
+    }
+    source.first_slot = static_cast<std::int32_t>(first_slot_.back());
+    first_slot_.push_back(first_slot_.back() + joints.size());
+  }
   for (int i = 0; i < sets.count(); ++i) {
     const int s = order.empty() ? i : order[i];
-    if (sets.joints(s).size() > most_palette_joints) part_of_[s] = part_count(), parts_.push_back({0, s});
-    else add(s, balls[s]);
+    int& last = last_part[packed_joints(s)];
+    if (last < 0 || packed_joints(s) == 0 || parts_[last].size() == palette_lanes) last = part_count(), parts_.emplace_back();
+    parts_[last].push_back(s);
+    part_of_[s] = last;
   }
-}
-
-void PalettePacks::add(int joint_set, const Ball3<double>& ball) {
-  const DefaultFloatEnvironment environment;
-  const auto joints = sets_.joints(joint_set);
-  auto& packs = packs_[joints.size() - 1];
-  int& lane = lanes_[joints.size() - 1];
-  if (lane == 0) {
-    parts_.push_back({static_cast<int>(joints.size()), static_cast<int>(packs.size())});
-    last_part_[joints.size() - 1] = part_count() - 1;
-    packs.emplace_back();
-  }
-  part_of_[joint_set] = last_part_[joints.size() - 1];
-  const Point3 prior = center_prior(mesh_, joints, skinning_);
-  for (int to = lane; to < palette_lanes; ++to) {  // the lanes behind are overwritten by the joint-sets to come
-    for (int i = 0; i < 3; ++i) packs.back().prior[i][to] = prior[i], packs.back().middle[i][to] = ball.center[i];
-    packs.back().radius[to] = ball.radius;
-    for (std::size_t j = 0; j < joints.size(); ++j) packs.back().joint[j][to] = joints[j];
-    packs.back().set[to] = joint_set;
-    packs.back().first_slot[to] = static_cast<std::int32_t>(first_slot_[joint_set]);
-  }
-  lane = (lane + 1) % palette_lanes;
 }
 
 void PalettePacks::make(const Pose& pose, SkinningPalette<double>& palette, Target target) const {
@@ -56,10 +61,10 @@ void PalettePacks::make(const Pose& pose, SkinningPalette<double>& palette, Targ
 void PalettePacks::make_part(int part, const Pose& pose, const SkinningPalette<double>::Arrays& out, Target target) const {
   const DefaultFloatEnvironment environment;
   static_assert(sizeof(RigidTransform<double>) == 8 * sizeof(double));
-  const auto [joint_count, at] = parts_[part];
-  if (joint_count > 0) {
+  const int at = parts_[part][0];
+  if (const int joint_count = packed_joints(at); joint_count > 0) {
     palette_kernels(target).run(
-        &packs_[joint_count - 1][at], 1, joint_count, skinning_ == Skinning::hejl, pose[0].rotation.data(),
+        sources_.data(), pack_of(parts_[part]), joint_count, skinning_ == Skinning::hejl, pose[0].rotation.data(),
         {out.rotation_centers->data(), out.transforms->rotation.data(), out.center_images->data(), out.duals->data()});
     return;
   }
@@ -76,14 +81,13 @@ void PalettePacks::make_part(int part, const Pose& pose, const SkinningPalette<d
   std::copy(set.duals.begin(), set.duals.end(), out.duals + first_slot_[at]);
 }
 
-void PalettePacks::make_float_part(int part, const Pose& pose, const FloatPlacement& at, FloatPaletteEntry* out,
-                                   Target target) const {
+void PalettePacks::make_floats(std::span<const int> joint_sets, const Pose& pose, const FloatPlacement& at,
+                               FloatPaletteEntry* out, Target target) const {
   const DefaultFloatEnvironment environment;
-  const auto [joint_count, place] = parts_[part];
-  if (joint_count > 0)
-    palette_kernels(target).run_float(&packs_[joint_count - 1][place], 1, joint_count, skinning_ == Skinning::hejl,
+  if (const int joint_count = packed_joints(joint_sets[0]); joint_count > 0)
+    palette_kernels(target).run_float(sources_.data(), pack_of(joint_sets), joint_count, skinning_ == Skinning::hejl,
                                       pose[0].rotation.data(), at, out);
-  else out[place].slack = std::numeric_limits<float>::infinity();
+  else out[joint_sets[0]].slack = std::numeric_limits<float>::infinity();
 }
 
 }  // namespace refitlab

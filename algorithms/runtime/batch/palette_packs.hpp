@@ -14,6 +14,10 @@ class PalettePacks {
   // it share a part. If it is empty, the order is by index.
   PalettePacks(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning, std::span<const int> order = {});
 
+  int set_count() const { return static_cast<int>(sources_.size()); }
+  // Returns the number of joints of a joint-set, or 0 if it has more than a pack takes. Then it is a part of its own.
+  int packed_joints(int joint_set) const { return sources_[joint_set].joint_count; }
+
   // Does what make_skinning_palette does, and throws the same errors. It overwrites palette and uses its storage again, but does
   // not measure it: call palette.measure() before refits of single nodes.
   void make(const Pose& pose, SkinningPalette<double>& palette, Target target = best_target()) const;
@@ -22,26 +26,22 @@ class PalettePacks {
   // palette the size for all of them and returns its arrays. The pose must be as check_pose requires.
   int part_count() const { return static_cast<int>(parts_.size()); }
   int part_of(int joint_set) const { return part_of_[joint_set]; }
+  std::span<const int> sets_of(int part) const { return parts_[part]; }
   SkinningPalette<double>::Arrays arrays(SkinningPalette<double>& palette) const { return palette.resize(first_slot_); }
   void make_part(int part, const Pose& pose, const SkinningPalette<double>::Arrays& out, Target target = best_target()) const;
 
-  // Makes a part for skinning in float, by spherical or Hejl's skinning. out is by joint-set.
-  void make_float_part(int part, const Pose& pose, const FloatPlacement& at, FloatPaletteEntry* out,
-                       Target target = best_target()) const;
+  // Makes joint-sets for skinning in float, by spherical or Hejl's skinning: up to palette_lanes of the same packed_joints(), or one of
+  // more joints, whose slack is infinite. out is by joint-set.
+  void make_floats(std::span<const int> joint_sets, const Pose& pose, const FloatPlacement& at, FloatPaletteEntry* out,
+                   Target target = best_target()) const;
 
  private:
-  struct Part {
-    int joints, pack;  // or 0 and a joint-set of more joints than a pack takes
-  };
-  void add(int joint_set, const Ball3<double>& ball);
-
   const SkinnedMesh& mesh_;
   const JointSets& sets_;
   const Skinning skinning_;
-  std::vector<PalettePack> packs_[most_palette_joints];  // by number of joints - 1
-  int lanes_[most_palette_joints] = {}, last_part_[most_palette_joints] = {};
-  std::vector<Part> parts_;
-  std::vector<int> part_of_;  // by joint-set
+  std::vector<PaletteSource> sources_;   // by joint-set
+  std::vector<std::vector<int>> parts_;  // their joint-sets
+  std::vector<int> part_of_;             // by joint-set
   std::vector<std::size_t> first_slot_ = {0};
 };
 

@@ -163,7 +163,9 @@ void ClusterBody::set_motion_bound(const Box<double>& box) {
 }
 
 void ClusterBody::skin_all() {
+  if (is_all_skinned_) return;
   clusters_.skin_all();
+  wide_nodes_made_.begin();
   is_all_skinned_ = true;
 }
 
@@ -175,7 +177,7 @@ void ClusterBody::bound_wide_node(int f) {
   Box<float>& whole = wide_node_boxes_[f] = Box<float>::empty();
   if (is_all_skinned_ || (is_rather_skinned_ && has_only_clusters(f))) {
     box_skinned(wide_node, blocks, whole);
-    if (wide_node.parent >= 0) cut_box(wide_node.parent, wide_node.child, whole);
+    if (wide_node.parent >= 0 && !is_all_skinned_) cut_box(wide_node.parent, wide_node.child, whole);
     return wide_nodes_made_.mark(f);
   }
   // The boxes are as seen from the placement's translation, which is the clusters' origin.

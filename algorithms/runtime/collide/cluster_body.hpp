@@ -58,6 +58,7 @@ class ClusterBody {
   // Cuts the bound of a cluster that a query has skinned to its vertices' box, if clusters are skinned rather than bounded; and from
   // several such clusters on, they are, unless the body is shared.
   void tighten(int cluster) {
+    if (is_all_skinned_) return;  // boxes are around skinned vertices already
     if (!is_shared_ && clusters_.clusters_skinned() >= least_clusters_of_contact && is_skinned_in_float()) skin_rather();
     if (!is_rather_skinned_) return;
     const Cluster& c = tree_.clusters()[cluster];
@@ -74,7 +75,7 @@ class ClusterBody {
   // touches.
   void skin_rather() { is_rather_skinned_ = true; }
 
-  // Skins everything. Boxes that are not made yet are then made around skinned vertices.
+  // Skins everything. From now on in this frame, all boxes are around skinned vertices.
   void skin_all();
   bool is_all_skinned() const { return is_all_skinned_; }
 

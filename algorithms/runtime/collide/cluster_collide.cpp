@@ -18,7 +18,6 @@ bool touch_again(ClusterPairs& clusters, const ClusterTree& first, const Cluster
   for (const ClusterPair& pair : memory.pairs()) {
     if (!has(first, pair.first) || !has(second, pair.second)) continue;
     clusters.add(pair.first, pair.second);
-    clusters.decide();
     if (!clusters.is_done()) continue;
     memory.remember(pair);
     return true;

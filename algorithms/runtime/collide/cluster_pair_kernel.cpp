@@ -125,10 +125,8 @@ REFITLAB_KERNEL int meeting(const CandidateArrays& a, int count_a, const Candida
     const std::uint32_t valid = first_lanes(end - block);
     for (int k = 0; k < count_a; ++k) {
       const Box<S> other{{S(a.box[0][k]), S(a.box[1][k]), S(a.box[2][k])}, {S(a.box[3][k]), S(a.box[4][k]), S(a.box[5][k])}};
-      for (std::uint32_t lanes = lane_bits(!are_apart(own, other)) & valid; lanes; lanes &= lanes - 1) {
-        first[found] = k;
-        second[found++] = block + std::countr_zero(lanes);
-      }
+      for (int lane = 0; lane < width; ++lane) first[found + lane] = k;
+      found += write_lanes(lane_bits(!are_apart(own, other)) & valid, block, second + found);
     }
   }
   return found;
@@ -163,8 +161,8 @@ REFITLAB_KERNEL void filter(const CandidateArrays& a, const CandidateArrays& b, 
                                                            vertices_of(b, second + from, count - from), vertices);
     const std::uint32_t valid = first_lanes(count - from), apart = lane_bits(filtered.are_apart);
     const std::uint32_t meeting = lane_bits(filtered.meet) & ~apart & valid, open = ~(meeting | apart) & valid;
-    for (std::uint32_t lanes = meeting; lanes; lanes &= lanes - 1) meet[meet_count++] = from + std::countr_zero(lanes);
-    for (std::uint32_t lanes = open; lanes; lanes &= lanes - 1) unknown[unknown_count++] = from + std::countr_zero(lanes);
+    meet_count += write_lanes(meeting, from, meet + meet_count);
+    unknown_count += write_lanes(open, from, unknown + unknown_count);
   }
 }
 

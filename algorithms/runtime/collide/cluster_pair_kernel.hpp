@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // These kernels look for pairs of triangles of two clusters that were skinned in float.
 //
-// Triangles of each cluster are culled against the box that both have in common, those of the second one also against the box
-// around what is left of the first. Those left are candidates, whose boxes are compared all with all, and pairs whose boxes meet
+// Triangles of each cluster are culled against the box that both have in common, those of one of them also against the box
+// around what is left of the other. Those left are candidates, whose boxes are compared all with all, and pairs whose boxes meet
 // are filtered (triangles_filter.hpp). Floats are off by a slack; so a box that is compared is grown by it first. Nothing is
 // culled or told apart that is not apart for certain, and a NaN never is.
 #pragma once
@@ -56,11 +56,11 @@ struct ClusterPairKernels {
   // Keeps the candidates whose boxes are not apart from box. Returns their number.
   int (*keep)(int count, const Box<float>& box, const CandidateArrays& candidates);
   // Lists the pairs of candidates whose boxes are apart by no more than margin. The pairs are of all first ones and of the second
-  // ones in [begin, end), where begin is a multiple of 16. Returns their number.
+  // ones in [begin, end), where begin is a multiple of 16. Returns their number. The lists have room for one block more than all pairs.
   int (*meeting)(const CandidateArrays& a, int count_a, const CandidateArrays& b, int begin, int end, float margin,
                  std::int32_t* first, std::int32_t* second);
   // Filters so many pairs whose vertices are off by at most slack. The indices of those that certainly meet are written to
-  // meet, and those of unknown ones to unknown; each has room for all.
+  // meet, and those of unknown ones to unknown; each has room for all, and for one block more.
   void (*filter)(const CandidateArrays& a, const CandidateArrays& b, const std::int32_t* first, const std::int32_t* second,
                  int count, float slack, std::int32_t* meet, int& meet_count, std::int32_t* unknown, int& unknown_count);
 };

@@ -26,6 +26,13 @@ TrianglePoints points_of(const PaddedVertex* vertices, const std::array<std::uin
   return {point(0), point(1), point(2)};
 }
 
+// Returns about which share of a cluster is in a part of its box. It only chooses between ways that find the same, and may be a NaN.
+float share_of(const Box<float>& part, const Box<float>& whole) {
+  float share = 1;
+  for (int i = 0; i < 3; ++i) share *= (part.high[i] - part.low[i]) / (whole.high[i] - whole.low[i]);
+  return share;
+}
+
 template <class T>
 void reserve_at_least(std::vector<T>& list, std::size_t size) {
   if (list.size() < size) list.resize(size);
@@ -86,6 +93,7 @@ ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Quer
   scratch.first.reserve(first.tree().most_triangles(), first.tree().most_vertices());
   scratch.second.reserve(second.tree().most_triangles(), second.tree().most_vertices());
   const std::size_t pairs =
+      Lanes<float>::count +
       std::max(pairs_at_once, Lanes<float>::count * std::max(first.tree().most_triangles(), second.tree().most_triangles()));
   for (auto* list : {&scratch.of_first, &scratch.of_second, &scratch.meet, &scratch.unknown}) reserve_at_least(*list, pairs);
 }
@@ -100,24 +108,19 @@ void ClusterPairs::add(int a, int b) {
   Box<float> common = of_a.box;
   common.cut(box_b);
   common.grow(slack);
-  const ClusterTriangles triangles_a = first_.tree().cluster_triangles(a), triangles_b = second_.tree().cluster_triangles(b);
-  const int places_a = first_.tree().clusters()[a].padded_vertex_count,
-            places_b = second_.tree().clusters()[b].padded_vertex_count;
-  const CandidateArrays candidates_a = arrays_of(scratch_.first), candidates_b = arrays_of(scratch_.second);
-  constexpr float none[3] = {};
-  Box<float> all_a, all_b;
-  int count_a = kernels_.cull(triangles_a, of_a.xyz, places_a, common, candidates_a);
-  if (count_a == 0) return;
-  kernels_.place(triangles_a, of_a.xyz, places_a, none, count_a, candidates_a, all_a);
-  // The second body's triangles are culled against the candidates of the first, and these against what is left of those.
-  all_a.grow(2 * slack);
-  common.cut(all_a);
-  const int count_b = kernels_.cull(triangles_b, of_b.xyz, places_b, moved_back(common), candidates_b);
-  if (count_b == 0) return;
-  kernels_.place(triangles_b, of_b.xyz, places_b, offset_, count_b, candidates_b, all_b);
-  all_b.grow(2 * slack);
-  count_a = kernels_.keep(count_a, all_b, candidates_a);
-  if (count_a == 0) return;
+  Side side_a{first_, a, false, arrays_of(scratch_.first)}, side_b{second_, b, true, arrays_of(scratch_.second)};
+  // The cluster of which less is in the common box comes first. The triangles of the other one are culled against its candidates, too, and
+  // these against what is left of the other one.
+  const bool is_second_early = share_of(common, box_b) * static_cast<float>(side_b.triangles().count) <
+                               share_of(common, of_a.box) * static_cast<float>(side_a.triangles().count);
+  Side &early = is_second_early ? side_b : side_a, &late = is_second_early ? side_a : side_b;
+  if (!find_candidates(early, common, 2 * slack)) return;
+  common.cut(early.all);
+  if (!find_candidates(late, common, 2 * slack)) return;
+  early.count = kernels_.keep(early.count, late.all, early.candidates);
+  if (early.count == 0) return;
+  const CandidateArrays &candidates_a = side_a.candidates, &candidates_b = side_b.candidates;
+  const int count_a = side_a.count, count_b = side_b.count;
   // The candidates of one body are taken one by one, and those of the other in whole blocks. Which is which is chosen so that
   // there is less to compare.
   constexpr int block = Lanes<float>::count;
@@ -132,6 +135,19 @@ void ClusterPairs::add(int a, int b) {
                                                             scratch_.of_first.data(), scratch_.of_second.data());
     filter(a, b, count, slack);
   }
+  if (query_ == Query::yes_no && !is_done()) decide();  // it may be done then
+}
+
+bool ClusterPairs::find_candidates(Side& side, const Box<float>& common, float margin) {
+  const ClusterTriangles triangles = side.triangles();
+  const float* const xyz = side.body.cluster(side.cluster).xyz;
+  const int places = side.body.tree().clusters()[side.cluster].padded_vertex_count;
+  side.count = kernels_.cull(triangles, xyz, places, side.is_second ? moved_back(common) : common, side.candidates);
+  if (side.count == 0) return false;
+  constexpr float none[3] = {};
+  kernels_.place(triangles, xyz, places, side.is_second ? offset_ : none, side.count, side.candidates, side.all);
+  side.all.grow(margin);
+  return true;
 }
 
 void ClusterPairs::filter(int a, int b, int count, float slack) {

@@ -50,7 +50,7 @@ class ClusterPairs {
   Box<float> moved(const Box<float>& of_second) const { return moved(of_second, 1); }
   Box<float> moved_back(const Box<float>& of_first) const { return moved(of_first, -1); }
 
-  // Looks into a pair of clusters. Their pairs are found at once, or by decide().
+  // Looks into a pair of clusters. Their pairs are found at once, or, in a full query, by decide().
   void add(int a, int b);
   // Decides what is still open.
   void decide();
@@ -69,6 +69,19 @@ class ClusterPairs {
       out.low[i] = box.low[i] + sign * offset_[i] - lost_, out.high[i] = box.high[i] + sign * offset_[i] + lost_;
     return out;
   }
+  // A Side is a cluster of one of the bodies, with its candidates and the box around them, seen from the first body's origin.
+  struct Side {
+    SkinnedClusters& body;
+    int cluster;
+    bool is_second;
+    CandidateArrays candidates;
+    int count = 0;
+    Box<float> all{};
+
+    ClusterTriangles triangles() const { return body.tree().cluster_triangles(cluster); }
+  };
+  // Finds the triangles of a side that are not outside common, and the box around them, grown by margin. Returns whether there are any.
+  bool find_candidates(Side& side, const Box<float>& common, float margin);
   void filter(int a, int b, int count, float slack);
   void list_touching(ClusterPair pair);
 

@@ -24,7 +24,7 @@ class ClusterTraversal {
         counts_(counts),
         hits_(hits) {}
 
-  // Returns the pairs of triangles that touch. A yes/no query ends with the first clusters in which floats find any. It looks first where boxes
+  // Returns the pairs of triangles that touch. A yes/no query ends with the first clusters in which it finds any. It looks first where boxes
   // reach deepest into each other.
   std::vector<TrianglePair> run() {
     const Hits tops(*this, first_, 0, pairs_.moved(second_.wide_node_box(0)));

@@ -42,7 +42,7 @@ class PairMemory {
   }
 
  private:
-  static constexpr int least_whole_queries = 8, most_whole_queries = 64;
+  static constexpr int least_whole_queries = 16, most_whole_queries = 64;
   int whole_queries_ = 0, next_whole_queries_ = least_whole_queries;
   std::vector<ClusterPair> pairs_;
 };

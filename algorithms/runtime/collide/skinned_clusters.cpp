@@ -50,9 +50,8 @@ SkinnedClusters::SkinnedClusters(const ClusterTree& tree, Skinning skinning)
     : tree_(tree),
       skinning_(skinning),
       palette_packs_(tree.character().mesh, tree.character().sets, skinning, by_clusters(tree)),
-      float_palettes_made_(palette_packs_.part_count()),
+      float_palettes_(palette_packs_),
       palettes_made_(palette_packs_.part_count()),
-      float_palette_(tree.character().sets.count()),
       palette_arrays_(palette_packs_.arrays(palette_)),
       clusters_made_(tree.clusters().size()),
       blocks_made_(position_count(tree) / Lanes<double>::count),
@@ -84,13 +83,14 @@ void SkinnedClusters::start(const RigidTransform<double>& placement, const Point
   float_placement_.defect = std::abs(squared_norm(placement.rotation) - 1);
   // The world's doubles are the sum of a turned vertex and the translation, and the origin is subtracted from both.
   float_placement_.lost = lost_in_world * (placement.translation.lpNorm<Eigen::Infinity>() + origin.lpNorm<Eigen::Infinity>());
-  float_palettes_made_.begin(), palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin();
+  float_palettes_.begin(pose_, float_placement_);
+  palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin();
   clusters_skinned_ = vertices_skinned_ = work_ = 0;
 }
 
 void SkinnedClusters::end() {
   is_begun_ = false;
-  float_palettes_made_.begin(), palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin();
+  palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin();
 }
 
 void SkinnedClusters::require_frame() const {
@@ -101,14 +101,7 @@ void SkinnedClusters::make_all_palettes() {
   const DefaultFloatEnvironment environment;
   require_frame();
   if (!pose_) return;  // affine joints have no palette in float
-  for (int part = 0; part < palette_packs_.part_count(); ++part) make_float_palette(part);
-}
-
-void SkinnedClusters::make_float_palette(int part) {
-  if (float_palettes_made_.is_made(part)) return;
-  palette_packs_.make_float_part(part, *pose_, float_placement_, float_palette_.data());
-  float_palettes_made_.mark(part);
-  work_ += work_of_palettes;
+  float_palettes_.make_all();
 }
 
 void SkinnedClusters::skin_all() {
@@ -136,15 +129,12 @@ void SkinnedClusters::skin_cluster(int n) {
 bool SkinnedClusters::can_skin_in_float(int n) {
   if (reference_ || (skinning_ != Skinning::spherical && skinning_ != Skinning::hejl)) return false;
   bool can = true;
-  for (const FloatRun& run : tree_.floats().runs(n)) {
-    make_float_palette(palette_packs_.part_of(run.joint_set));
-    can = can && float_palette_[run.joint_set].slack < unlimited;
-  }
+  for (const FloatRun& run : tree_.floats().runs(n)) can = float_palettes_[run.joint_set].slack < unlimited && can;
   return can;
 }
 
 void SkinnedClusters::skin_in_float(int n, Lanes<float>* xyz, FloatCluster& out) {
-  const float slack = tree_.floats().skin(n, float_palette_.data(), xyz, out.box);
+  const float slack = tree_.floats().skin(n, float_palettes_.data(), xyz, out.box);
   out.slack = slack + 2 * roundings(out.box);
   out.box.grow(out.slack);
 }

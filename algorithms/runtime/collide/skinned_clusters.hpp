@@ -3,9 +3,9 @@
 // double where floats do not decide.
 #pragma once
 
-#include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/box_kernel.hpp"
 #include "algorithms/runtime/collide/cluster_tree.hpp"
+#include "algorithms/runtime/collide/float_palettes.hpp"
 #include "algorithms/runtime/refit/deformed_reference.hpp"
 
 namespace refitlab {
@@ -16,7 +16,7 @@ inline constexpr float four_roundings = 0x1p-22f;
 inline constexpr double lost_in_world = 0x1p-51;
 
 // The unit of work is what skinning a block of sixteen vertices in float takes, which is 12 ns as measured with AVX-512. These
-// are the work of a part of the palettes, of a pack of motion bounds, and of a bounded node besides. They only choose between
+// are the work of a pack of palettes, of a pack of motion bounds, and of a bounded node besides. They only choose between
 // ways that find the same.
 inline constexpr int work_of_palettes = 20, work_of_motion_bounds = 10, work_of_bounded_node = 3;
 
@@ -78,7 +78,7 @@ class SkinnedClusters {
   const SkinningPalette<double>& measured_palette();
 
   // work() is the work done for floats since begin, and work_of_all() is that of making everything.
-  long work() const { return work_; }
+  long work() const { return work_ + work_of_palettes * long{float_palettes_.packs_made()}; }
   long work_of_all() const { return work_of_all_; }
 
   // These counts are since begin.
@@ -88,7 +88,6 @@ class SkinnedClusters {
  private:
   void start(const RigidTransform<double>& placement, const Point3& origin, const DeformedReference* reference);
   const SkinningPalette<double>& palette() const { return pose_ ? palette_ : affine_palette_; }
-  void make_float_palette(int part);
   bool can_skin_in_float(int cluster);
   void skin_cluster(int cluster);
   void skin_in_float(int cluster, Lanes<float>* xyz, FloatCluster& out);
@@ -105,10 +104,10 @@ class SkinnedClusters {
   RigidTransform<double> placement_;
   Point3 origin_ = Point3::Zero();
   FloatPlacement float_placement_;
-  FrameStamps float_palettes_made_, palettes_made_;  // by part of palette_packs_
-  std::vector<FloatPaletteEntry> float_palette_;     // of what parts were made, by joint-set
-  SkinningPalette<double> palette_;                  // likewise
-  SkinningPalette<double> affine_palette_;           // of all joint-sets, where joints are affine
+  FloatPalettes float_palettes_;
+  FrameStamps palettes_made_;               // by part of palette_packs_
+  SkinningPalette<double> palette_;         // of what parts were made
+  SkinningPalette<double> affine_palette_;  // of all joint-sets, where joints are affine
   const SkinningPalette<double>::Arrays palette_arrays_;
   FrameStamps clusters_made_, blocks_made_;
   std::vector<FloatCluster> clusters_;
