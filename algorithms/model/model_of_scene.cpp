@@ -31,6 +31,7 @@ class Skin {
         scene_.nodes[use.node].source, use.mesh, bound.primitive, use.skin, std::vector<int>(primitive.positions.size(), -1), {}};
     const bool mirrored = bound.placement.determinant() < 0;
     farthest_sum_ = 0, off_sums_ = 0;
+    int left_out = 0;
     std::vector<Known*> corner_of(primitive.positions.size());
     for (const Triangle& corners : primitive.triangles) {
       for (const int corner : corners)
@@ -38,6 +39,7 @@ class Skin {
       const Known *a = corner_of[corners[0]], *b = corner_of[corners[1]], *c = corner_of[corners[2]];
       const bool kept = a != b && b != c && c != a;
       source.triangles.push_back(kept ? static_cast<int>(model_.triangles.size()) : -1);
+      left_out += !kept;
       if (!kept) continue;
       Triangle t;
       for (int k = 0; k < 3; ++k) t[k] = source.vertices[corners[k]] = vertex(*corner_of[corners[k]]);
@@ -48,6 +50,10 @@ class Skin {
       model_.notes.push_back(primitive.label + ": the weights of " + std::to_string(off_sums_) +
                              " vertices do not sum to 1 but are off by up to " + std::to_string(farthest_sum_) +
                              "; they are divided by their sums");
+    if (left_out > 0)
+      model_.notes.push_back(primitive.label + ": " + std::to_string(left_out) + " of " +
+                             std::to_string(primitive.triangles.size()) +
+                             " triangles have two equal corners; they are left out, and so are vertices of no other triangle");
     if (!bound.placement.isIdentity(0)) place(bound.placement, source.vertices);
     model_.sources.push_back(std::move(source));
   }

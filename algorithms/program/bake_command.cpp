@@ -187,6 +187,9 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   const bool is_linear = call.bounds.skinning == Skinning::linear;
   const Model model = load_model(call.in, {.joints = is_linear ? Joints::affine : Joints::rigid, .morphs = Morphs::moving});
 
+  // What cannot be written is told before the bounds take their time.
+  for (const std::string* file : {&call.certificate, &call.report, &call.json, &call.out})
+    if (!file->empty()) check_writable(*file);
   if (!call.report.empty()) check_report(model, call.in);
   if (!map.count("quiet")) {
     print_notes(call.in, model.notes, errors);

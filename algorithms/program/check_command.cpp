@@ -191,6 +191,9 @@ std::vector<ParameterMoment> moments_of_keys(const AnimatedJoints& joints) {
   return out;
 }
 
+// So many moments take about a gigabyte.
+constexpr int most_samples = 10'000'000;
+
 // An option that is unsigned would take a number below 0 for a great one.
 unsigned seed_of(const po::variables_map& map) {
   const auto seed = map["seed"].as<std::int64_t>();
@@ -212,7 +215,8 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
         << options;
     return exit_done;
   }
-  if (map["samples"].as<int>() < 1) throw UsageError("--samples takes a number above 0");
+  if (const int n = map["samples"].as<int>(); n < 1 || n > most_samples)
+    throw UsageError("--samples takes a number from 1 to " + std::to_string(most_samples));
   const unsigned seed = seed_of(map);
   const std::string file = map["FILE.glb"].as<std::string>();
   const BakedFile baked = read_baked(file);

@@ -100,6 +100,19 @@ void write_whole(const std::string& name, const std::string& text) {
   sync_folder(folder);
 }
 
+void check_writable(const std::string& name) {
+  std::error_code error;
+  if (fs::is_directory(name, error)) fail(name, "replace", EISDIR);
+  if (is_special(name)) {
+    if (::access(name.c_str(), W_OK) != 0) fail(name, "write", errno);
+    return;
+  }
+  // The folders that are missing would be made in the last one that is there.
+  fs::path folder = fs::absolute(followed(name), error).parent_path();
+  while (folder.has_relative_path() && ::access(folder.c_str(), F_OK) != 0 && errno == ENOENT) folder = folder.parent_path();
+  if (::access((folder / "").c_str(), W_OK | X_OK) != 0) fail(name, "write", errno);
+}
+
 std::string read_whole(const std::string& path) try {
   std::ifstream in(path, std::ios::binary);
   if (!in) fail(path, "read", errno);

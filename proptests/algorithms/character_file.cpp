@@ -300,13 +300,12 @@ void spoiled_files_are_refused(Suite& t) {
   t.example("what is no baked character, of another version, or not there is refused by name", {}, [] {
     std::string bytes = bytes_of(small_character()), other = bytes;
     other[8] = 3;
-    const bool named =
-        refusal("solid cube") == "man.refitlab: file: is no baked character" &&
-        refusal(other) == "man.refitlab: file: its baked character is of version 3, not 2, which is read: bake it again" &&
-        refusal(bytes + "x") == "man.refitlab: file: goes on after its end" &&
-        refusal(bytes.substr(0, 40)) == "man.refitlab: file: ends early";
+    const bool named = refusal("solid cube") == "man.refitlab: file: is no baked character" &&
+                       refusal(other) == "man.refitlab: baked character: is of version 3, not 2, which is read: bake it again" &&
+                       refusal(bytes + "x") == "man.refitlab: baked character: goes on after its end" &&
+                       refusal(bytes.substr(0, 40)) == "man.refitlab: baked character: ends early";
     bytes.back() ^= 1;
-    const bool sum = refusal(bytes) == "man.refitlab: file: its checksum is not that of its bytes";
+    const bool sum = refusal(bytes) == "man.refitlab: baked character: its checksum is not that of its bytes";
     try {
       read_character("/nowhere/man.refitlab");
     } catch (const ModelError& e) {

@@ -101,6 +101,23 @@ void properties(Suite& t, const std::string& name) {
             });
 }
 
+// A point of these stays whose coefficient is lowered to 0 but for rounding.
+void coefficient_at_zero(Suite& t) {
+  t.example("a coefficient that rounding would take below 0 is 0", {.number_type = "double pack"}, [] {
+    using Pack = simd::native_simd<double>;
+    const std::vector<Vec<double, 3>> cloud = {{1000, 1000.1, 1000.1},   {1000, 1000.2, 1000.3},   {1000.2, 1000.1, 1000.1},
+                                               {1000.3, 1000.3, 1000.3}, {1000.2, 1000.2, 1000.2}, {1000.3, 1000, 1000.3},
+                                               {1000, 1000.3, 1000.2},   {1000.1, 1000, 1000.2},   {1000.1, 1000.1, 1000.2}};
+    std::vector<PackPoint<Pack, 3>> packs(cloud.size());
+    for (std::size_t j = 0; j < cloud.size(); ++j)
+      for (int i = 0; i < 3; ++i) packs[j][i] = Pack(cloud[j][i]);
+    const auto found = few_points_balls<Pack, 3>(packs);
+    int zeros = 0;
+    for (int k = 0; k < 4; ++k) zeros += found.support[k][0] >= 0 && found.coefficients[k][0] == 0;
+    return Checked(is_right<Pack, 3>(found, 0, cloud) && zeros > 0, 1, std::to_string(zeros) + " are 0");
+  });
+}
+
 }  // namespace
 
 PROPTEST(few_points_ball_packs) {
@@ -108,6 +125,7 @@ PROPTEST(few_points_ball_packs) {
   properties<simd::native_simd<double>, 4>(t, "native packs in R^4");
   properties<simd::native_simd<float>, 4>(t, "native packs in R^4, float");
   properties<simd::fixed_size_simd<double, 8>, 3>(t, "eight lanes in R^3");
+  coefficient_at_zero(t);
 }
 
 }  // namespace proptests::suite_few_points_ball_packs

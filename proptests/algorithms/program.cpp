@@ -1125,7 +1125,7 @@ void numbers_beyond_either_end(Suite& t) {
     says(0, bake, "--tolerance", {"1"}, "");
     says(2, fade, "--crossfade-tolerance", none, "--crossfade-tolerance takes a number above 0, and up to 1");
     says(2, bake, "--dop", {"-6", "0", "4", "10", "28"}, "--dop takes 6, 14, 18 or 26");
-    says(2, check, "--samples", {"-1", "0"}, "--samples takes a number above 0");
+    says(2, check, "--samples", {"-1", "0", "10000001", "2000000000"}, "--samples takes a number from 1 to 10000000");
     says(2, check, "--seed", {"-1", "4294967296", "-4294967296"}, "--seed takes a number from 0 to 4294967295");
     for (const char* seed : {"0", "4294967295"})
       if (const Called called = call({"check", "--samples", "3", "--seed", seed, baked}); called.code != 0)
@@ -1227,7 +1227,7 @@ void what_is_behind_a_chunk(Suite& t) {
         baked_of(chunk + more, "out.glb");
         return Checked(false, 7, "not refused");
       } catch (const ModelError& e) {
-        if (e.what() != std::string("out.glb: file: goes on after its end")) said += e.what();
+        if (e.what() != std::string("out.glb: chunk of refitlab: goes on after its end")) said += e.what();
       }
     return Checked(said.empty(), 7, said);
   });
@@ -1371,31 +1371,37 @@ void clips_of_one_name(Suite& t) {
 }
 
 void parts_without_a_ball_for_any_pose(Suite& t) {
-  t.example("a mesh whose joints have no node above all of them has no ball for any pose, and bake says so", {}, [] {
-    const Rich rich(false, false);
-    const std::string in = rich.folder.file("in.glb"), apart = rich.folder.file("apart.glb"), out = rich.folder.file("any.glb");
-    // A joint that is below others becomes a root.
-    redescribe(in, apart, [](json& description) {
-      const json joint = description["skins"][0]["joints"].back();
-      for (json& node : description["nodes"]) {
-        json left = json::array();
-        for (const json& child : node.value("children", json::array()))
-          if (child != joint) left.push_back(child);
-        if (left.empty()) node.erase("children");
-        else node["children"] = left;
-      }
-      description["scenes"][0]["nodes"].push_back(joint);
-    });
-    const Called called = call({"bake", "--for", "any", apart, out}),
-                 quiet = call({"bake", "--quiet", "--for", "any", apart, out}), clip = call({"bake", apart, out}),
-                 whole = call({"bake", "--for", "any", in, out});
-    const std::string note = "has no ball for any pose: no node is above all of its joints";
-    const bool good = called.code == 0 && called.errors.find("note: " + apart + ": mesh ") != std::string::npos &&
-                      called.errors.find(note) != std::string::npos && quiet.errors.find(note) == std::string::npos &&
-                      clip.errors.find(note) == std::string::npos && whole.code == 0 &&
-                      whole.errors.find(note) == std::string::npos;
-    return Checked(good, 4, called.errors + whole.errors);
-  });
+  t.example(
+      "a mesh whose joints have no node above all of them has no ball for any pose, and bake says so, if it can write at all", {},
+      [] {
+        const Rich rich(false, false);
+        const std::string in = rich.folder.file("in.glb"), apart = rich.folder.file("apart.glb"),
+                          out = rich.folder.file("any.glb");
+        // A joint that is below others becomes a root.
+        redescribe(in, apart, [](json& description) {
+          const json joint = description["skins"][0]["joints"].back();
+          for (json& node : description["nodes"]) {
+            json left = json::array();
+            for (const json& child : node.value("children", json::array()))
+              if (child != joint) left.push_back(child);
+            if (left.empty()) node.erase("children");
+            else node["children"] = left;
+          }
+          description["scenes"][0]["nodes"].push_back(joint);
+        });
+        const Called called = call({"bake", "--for", "any", apart, out}),
+                     quiet = call({"bake", "--quiet", "--for", "any", apart, out}), clip = call({"bake", apart, out}),
+                     whole = call({"bake", "--for", "any", in, out}),
+                     unwritable = call({"bake", "--for", "any", "--json", in + "/never.json", apart, out});
+        const std::string note = "has no ball for any pose: no node is above all of its joints";
+        const bool good = called.code == 0 && called.errors.find("note: " + apart + ": mesh ") != std::string::npos &&
+                          called.errors.find(note) != std::string::npos && quiet.errors.find(note) == std::string::npos &&
+                          clip.errors.find(note) == std::string::npos && whole.code == 0 &&
+                          whole.errors.find(note) == std::string::npos && unwritable.code == 3 &&
+                          unwritable.errors.find("/never.json: cannot write: Not a directory") != std::string::npos &&
+                          unwritable.errors.find(note) == std::string::npos;  // which it says once the bounds are there
+        return Checked(good, 5, called.errors + whole.errors + unwritable.errors);
+      });
 }
 
 // Whether a call exits with this code, says this and writes no file out. If not, what it did is added to wrong.
@@ -1454,7 +1460,7 @@ void wrong_calls_and_files(Suite& t) {
                   fails(2, {"bake", "--dop", "8", in, out}, "--dop takes 6, 14, 18 or 26") &&
                   fails(2, {"bake", "--nodes", "--no-character", in, out}, "that --no-character leaves out") &&
                   fails(2, {"bake", "--skinning", "spherical", "--certificate", out, in, out}, "for linear skinning alone") &&
-                  fails(2, {"check", "--samples", "0", in}, "a number above 0") &&
+                  fails(2, {"check", "--samples", "0", in}, "a number from 1 to") &&
                   fails(2, {"collide", rigid, rigid, "--at", "1", "2"}, "--at takes three numbers that are finite") &&
                   fails(2, {"collide", rigid, rigid, "--at", "0", "nan", "0"}, "--at takes three numbers that are finite") &&
                   fails(2, {"collide", rigid, rigid, "--at", "0", "0", "-inf"}, "--at takes three numbers that are finite") &&

@@ -238,22 +238,30 @@ PROPTEST(write_whole) {
   t.example("a reader finds one of two writers' files, complete, whatever they do at once", {}, two_writers_and_a_reader);
   t.example("where there is no room the old file stays, alone, and the reason is told", {}, full_disk);
   t.example("threads of one process do not write into each other's temporary files", {}, threads_of_one_process);
-  t.example("refused, with the path and the reason: a folder in place of the file, a file in place of the folder", {}, [] {
-    const TemporaryFolder folder;
-    write_whole(folder.file("file"), "x");
-    std::filesystem::create_directories(folder.file("folder/inside"));
-    const std::string in_file = message_of([&] { write_whole(folder.file("file/results.csv"), "y"); });
-    const std::string on_folder = message_of([&] { write_whole(folder.file("folder"), "y"); });
-    const std::string no_file = message_of([&] { read_whole(folder.file("missing")); });
-    const std::string no_text = message_of([&] { read_whole(folder.file("folder")); });
-    const std::filesystem::directory_iterator files(folder.path());
-    const bool good = in_file == folder.file("file/results.csv") + ": cannot write: Not a directory" &&
-                      on_folder == folder.file("folder") + ": cannot replace: Is a directory" &&
-                      no_file == folder.file("missing") + ": cannot read: No such file or directory" &&
-                      no_text.starts_with(folder.file("folder") + ": cannot read: ") && no_text.ends_with("Is a directory") &&
-                      std::distance(begin(files), end(files)) == 2 && read_whole(folder.file("file")) == "x";
-    return Checked(good, 4, in_file + "; " + on_folder + "; " + no_file + "; " + no_text);
-  });
+  t.example(
+      "refused, with the path and the reason, which can be told before: a folder in place of the file, a file in place of the "
+      "folder",
+      {}, [] {
+        const TemporaryFolder folder;
+        write_whole(folder.file("file"), "x");
+        std::filesystem::create_directories(folder.file("folder/inside"));
+        const std::string in_file = message_of([&] { write_whole(folder.file("file/results.csv"), "y"); });
+        const std::string on_folder = message_of([&] { write_whole(folder.file("folder"), "y"); });
+        const std::string no_file = message_of([&] { read_whole(folder.file("missing")); });
+        const std::string no_text = message_of([&] { read_whole(folder.file("folder")); });
+        bool is_told_before = message_of([&] { check_writable(folder.file("file/results.csv")); }) == in_file &&
+                              message_of([&] { check_writable(folder.file("folder")); }) == on_folder &&
+                              message_of([&] { check_writable(folder.file("file/of/no/folder")); }).ends_with("Not a directory");
+        for (const char* can : {"file", "new", "new/folder/file", "folder/inside/new"})
+          is_told_before = is_told_before && message_of([&] { check_writable(folder.file(can)); }).empty();
+        const std::filesystem::directory_iterator files(folder.path());
+        const bool good = is_told_before && in_file == folder.file("file/results.csv") + ": cannot write: Not a directory" &&
+                          on_folder == folder.file("folder") + ": cannot replace: Is a directory" &&
+                          no_file == folder.file("missing") + ": cannot read: No such file or directory" &&
+                          no_text.starts_with(folder.file("folder") + ": cannot read: ") && no_text.ends_with("Is a directory") &&
+                          std::distance(begin(files), end(files)) == 2 && read_whole(folder.file("file")) == "x";
+        return Checked(good, 11, in_file + "; " + on_folder + "; " + no_file + "; " + no_text);
+      });
 }
 
 }  // namespace proptests::suite_write_whole

@@ -127,7 +127,7 @@ void halving_brings_nearer_and_makes_positive(Suite& t) {
     RC_ASSERT(positive_if_middle_is_long(c.blend.rotations.front(), c.blend.rotations.back()) == Verdict::holds);
   });
   t.holds("one halving makes both parts positive for unit quaternions that do not cancel",
-          {.form = "beyond", .number_type = "rational", .cases = 500, .degenerate_at_least = 0.1}, [] {
+          {.form = "beyond", .number_type = "rational", .cases = 500, .degenerate_at_least = 0.06}, [] {
             const auto q = *gen::unit_quaternions(2, 2);
             RC_PRE(equal_lengths_hypotheses(q[0], q[1]) == Verdict::holds);
             RC_CLASSIFY(dot(q[0], q[1]) == 0 || q[0] == q[1], "degenerate");

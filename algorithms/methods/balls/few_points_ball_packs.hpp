@@ -171,7 +171,7 @@ class FewPointsPacks {
     const Pack scale = S(1) / squared_length;
     for (int i = 0; i < D; ++i) normal[i] *= scale;
     for (int k = 0; k <= D; ++k) {
-      where(active, coefficient_[k]) = coefficient_[k] - step * share[k];
+      where(active, coefficient_[k]) = max(coefficient_[k] - step * share[k], Pack(S(0)));  // a NaN stays
       for (int i = 0; i < D; ++i) where(active, gradient_[k][i]) = gradient_[k][i] - normal[i] * share[k];
       const Mask here = open && index_[k] < S(0);
       where(here, index_[k]) = p.index;

@@ -10,6 +10,7 @@
 namespace refitlab {
 namespace {
 
+const std::string chunk_name = "chunk of refitlab";
 constexpr std::string_view chunk_magic = "rflbaked";
 constexpr std::uint32_t chunk_version = 2;
 constexpr Skinning chunk_skinnings[] = {Skinning::linear, Skinning::dual_quaternion, Skinning::spherical};
@@ -33,16 +34,16 @@ BakedFile baked_of(std::string_view bytes, const std::string& path) {
   constexpr std::size_t size_at = 12, header = 28;
   if (bytes.size() >= header) {
     std::uint64_t size = 0;
-    BinaryReader(bytes.substr(size_at), path).number(size);
+    BinaryReader(bytes.substr(size_at), chunk_name, path).number(size);
     if (size <= bytes.size() - header && bytes.size() - header - size < 4 &&
         bytes.find_first_not_of('\0', header + size) == std::string_view::npos)
       bytes = bytes.substr(0, header + size);
   }
-  BinaryReader in = opened(bytes, chunk_magic, chunk_version, "chunk of refitlab", path);
+  BinaryReader in = opened(bytes, chunk_magic, chunk_version, chunk_name, path);
   std::uint32_t skinning = 0, rotations = 0;
   in.number(skinning), in.number(rotations);
-  if (skinning >= std::size(chunk_skinnings)) throw ModelError(path, "chunk of refitlab", "there is no such skinning");
-  if (rotations > 1) throw ModelError(path, "chunk of refitlab", "there is no such blend of rotations");
+  if (skinning >= std::size(chunk_skinnings)) throw ModelError(path, chunk_name, "there is no such skinning");
+  if (rotations > 1) throw ModelError(path, chunk_name, "there is no such blend of rotations");
   const auto part = [&] {
     std::uint64_t size = 0;
     in.number(size);

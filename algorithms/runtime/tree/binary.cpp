@@ -25,20 +25,20 @@ std::string sealed(std::string_view magic, std::uint32_t version, std::string_vi
 
 BinaryReader opened(std::string_view bytes, std::string_view magic, std::uint32_t version, const std::string& what,
                     const std::string& file) {
-  BinaryReader in(bytes, file);
+  BinaryReader in(bytes, what, file);
   if (bytes.substr(0, magic.size()) != magic) throw ModelError(file, "file", "is no " + what);
   in.take(magic.size());
   std::uint32_t of_file = 0;
   in.number(of_file);
   if (of_file != version)
-    throw ModelError(file, "file",
-                     "its " + what + " is of version " + std::to_string(of_file) + ", not " + std::to_string(version) +
-                         ", which is read: bake it again");
+    throw ModelError(
+        file, what,
+        "is of version " + std::to_string(of_file) + ", not " + std::to_string(version) + ", which is read: bake it again");
   std::uint64_t size = 0, checksum = 0;
   in.number(size), in.number(checksum);
-  if (size > in.rest().size()) throw ModelError(file, "file", "ends early");
-  if (size < in.rest().size()) throw ModelError(file, "file", "goes on after its end");
-  if (checksum_of(in.rest()) != checksum) throw ModelError(file, "file", "its checksum is not that of its bytes");
+  if (size > in.rest().size()) throw ModelError(file, what, "ends early");
+  if (size < in.rest().size()) throw ModelError(file, what, "goes on after its end");
+  if (checksum_of(in.rest()) != checksum) throw ModelError(file, what, "its checksum is not that of its bytes");
   return in;
 }
 

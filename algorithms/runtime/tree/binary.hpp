@@ -25,11 +25,14 @@ struct BinaryWriter {
   std::string bytes;
 };
 
-// Throws ModelError, which names the file, for bytes that end early.
+// Throws ModelError, which names the file and what of it is read, for bytes that end early.
 class BinaryReader {
  public:
   // bytes and file must outlive this.
-  BinaryReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
+  BinaryReader(std::string_view bytes, const std::string& what, const std::string& file)
+      : bytes_(bytes),
+        what_(what),
+        file_(file) {}
 
   template <class T>
   void number(T& x) {
@@ -40,7 +43,7 @@ class BinaryReader {
     x = std::bit_cast<T>(bits);
   }
   std::string_view take(std::uint64_t count) {
-    if (bytes_.size() < count) throw ModelError(file_, "file", "ends early");
+    if (bytes_.size() < count) throw ModelError(file_, what_, "ends early");
     const std::string_view taken = bytes_.substr(0, static_cast<std::size_t>(count));
     bytes_.remove_prefix(taken.size());
     return taken;
@@ -48,11 +51,12 @@ class BinaryReader {
   std::string_view rest() const { return bytes_; }
   // Throws ModelError if there is more.
   void end() const {
-    if (!bytes_.empty()) throw ModelError(file_, "file", "goes on after its end");
+    if (!bytes_.empty()) throw ModelError(file_, what_, "goes on after its end");
   }
 
  private:
   std::string_view bytes_;
+  std::string what_;
   const std::string& file_;
 };
 
