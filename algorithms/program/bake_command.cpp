@@ -194,6 +194,8 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
   if (!map.count("quiet")) {
     print_notes(call.in, model.notes, errors);
     print_notes(call.in, half_turns(model), errors);
+    if (call.bounds.crossfades && model.clips.size() < 2)
+      print_notes(call.in, {"has fewer than two clips, between which there could be a crossfade"}, errors);
   }
 
   ModelBoundsOptions bounded = call.bounds;
@@ -234,8 +236,7 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
 
   long clusters = 0;
   for (const ModelPart& part : bounds.parts) clusters += part.kind == PartKind::cluster;
-  // What is written to the standard output is to be read by a program.
-  std::ostream& told = is_standard_output(call.out) || is_standard_output(call.json) ? errors : out;
+  std::ostream& told = told_to({call.out, call.json, call.report, call.certificate}, out, errors);
   told << printable(call.out) << ": " << model.triangles.size() << " triangles in " << clusters << " clusters, "
        << bounds.clips.size() << " clips, " << bounds.crossfades.size() << " crossfades, " << name_of(bounds.skinning)
        << " skinning; " << std::fixed << std::setprecision(2) << seconds << " s\n";

@@ -111,6 +111,10 @@ bool is_standard_output(const std::string& path) {
          file.st_ino == standard.st_ino;
 }
 
+std::ostream& told_to(const std::vector<std::string>& files, std::ostream& out, std::ostream& errors) {
+  return std::any_of(files.begin(), files.end(), is_standard_output) ? errors : out;
+}
+
 const char* name_of(Skinning skinning) {
   for (const auto& [name, value] : skinning_names)
     if (value == skinning) return name;

@@ -497,6 +497,24 @@ void crossfades_unless_asked_otherwise(Suite& t) {
             });
 }
 
+void a_crossfade_of_one_clip(Suite& t) {
+  t.example("crossfades that are asked for of one clip alone are none, and bake says so", {}, [] {
+    const gen::TemporaryFolder folder;
+    std::string said;
+    bool good = true;
+    for (const int clips : {1, 2}) {
+      const std::string in = folder.file(std::to_string(clips) + ".glb"), out = folder.file("out.glb");
+      write_gltf(make_turning(80, std::vector<Eigen::Vector3d>(clips, Eigen::Vector3d::UnitX())), in);
+      const Called called = call({"bake", "--for", "crossfade", in, out}), clip = call({"bake", in, out});
+      const std::string note = "note: " + in + ": has fewer than two clips, between which there could be a crossfade\n";
+      good = good && called.code == 0 && clip.code == 0 && (called.errors.find(note) != std::string::npos) == (clips == 1) &&
+             clip.errors.find(note) == std::string::npos;
+      said += called.errors + clip.errors;
+    }
+    return Checked(good, 4, said);
+  });
+}
+
 void crossfades_of_three_clips(Suite& t) {
   t.example("of each crossfade both clips are looked at, and what is written of it is of both", {}, [] {
     const gen::TemporaryFolder folder;
@@ -1320,8 +1338,14 @@ void what_a_bake_refuses_or_says(Suite& t) {
   t.example("the standard output is known by any of its names", {}, [] {
     gen::TemporaryFolder folder;
     write_whole(folder.file("file"), "");
-    return Checked(is_standard_output("/proc/self/fd/1") && !is_standard_output(folder.file("file")) && !is_standard_output(""),
-                   3);
+    std::ostringstream out, errors;
+    const auto is_told_to = [&](const std::vector<std::string>& files, std::ostream& where) {
+      return &told_to(files, out, errors) == &where;
+    };
+    return Checked(is_standard_output("/proc/self/fd/1") && !is_standard_output(folder.file("file")) && !is_standard_output("") &&
+                       is_told_to({}, out) && is_told_to({"", folder.file("file")}, out) &&
+                       is_told_to({"", folder.file("file"), "/proc/self/fd/1"}, errors),
+                   6);
   });
 }
 
@@ -1544,6 +1568,7 @@ PROPTEST(program) {
   what_leaves_its_box_between_keys(t);
   check_counts_vertices(t);
   crossfades_unless_asked_otherwise(t);
+  a_crossfade_of_one_clip(t);
   crossfades_of_three_clips(t);
   info_says_which_clips_are_rigid(t);
   info_counts_what_is_in_a_file(t);

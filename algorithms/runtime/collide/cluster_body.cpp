@@ -59,7 +59,7 @@ void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placemen
   const SkinnedMesh& mesh = tree_.character().mesh;
   std::optional<Box<double>> bound;
   are_joints_placed_ = false;  // a frame before does without them if this one is refused
-  if (!deformation.is_none() || is_whole_expected_) {
+  if (!deformation.is_none() || is_no_bound_expected_) {
     check_pose(mesh, pose);
   } else {
     bool is_rigid = true;
@@ -173,11 +173,11 @@ void ClusterBody::bound_wide_node(int f) {
   const DefaultFloatEnvironment environment;
   clusters_.require_frame();
   const WideNode& wide_node = tree_.wide_nodes()[f];
-  BoxBlock<float>* blocks = &wide_node_blocks_[first_block_of_wide_node_[f]];
+  BoxBlock<float>* const blocks = wide_node_blocks(f);
   Box<float>& whole = wide_node_boxes_[f] = Box<float>::empty();
   if (is_all_skinned_ || (is_rather_skinned_ && has_only_clusters(f))) {
     box_skinned(wide_node, blocks, whole);
-    if (wide_node.parent >= 0 && !is_all_skinned_) cut_box(wide_node.parent, wide_node.child, whole);
+    if (wide_node.place.wide_node >= 0 && !is_all_skinned_) cut_box(wide_node.place, whole);
     return wide_nodes_made_.mark(f);
   }
   // The boxes are as seen from the placement's translation, which is the clusters' origin.
@@ -226,12 +226,12 @@ bool ClusterBody::has_only_clusters(int wide_node) const {
 }
 
 // Both boxes have four roundings to spare. If the wide node is not made in this frame, its boxes are those of another one.
-void ClusterBody::cut_box(int wide_node, int child, const Box<float>& to) {
-  if (!wide_nodes_made_.is_made(wide_node)) return;
-  BoxBlock<float>* const blocks = &wide_node_blocks_[first_block_of_wide_node_[wide_node]];
-  Box<float> box = get_box(blocks, child);
+void ClusterBody::cut_box(ChildPlace place, const Box<float>& to) {
+  if (!wide_nodes_made_.is_made(place.wide_node)) return;
+  BoxBlock<float>* const blocks = wide_node_blocks(place.wide_node);
+  Box<float> box = get_box(blocks, place.child);
   box.cut(to);
-  put_box(blocks, child, box);
+  put_box(blocks, place.child, box);
 }
 
 // The boxes of wide nodes below come first.

@@ -40,15 +40,15 @@ class ClusterBody {
     if (!is_motion_bound_made_) make_motion_bound();
     return motion_bound_box_;
   }
-  // Says whether the frames to come will be skinned whole, as far as is known. If they will, begin() makes no motion bound, which
-  // is then made if it is asked for.
-  void expect_whole(bool is_whole) { is_whole_expected_ = is_whole; }
+  // Says whether queries of the frames to come will do without the motion bound, as far as is known. Then begin() does not make it; it
+  // is made if it is asked for.
+  void expect_no_bound(bool is_none) { is_no_bound_expected_ = is_none; }
 
   // These are boxes around all vertices below: those of a wide node's children, in blocks, and that around all of them. They
   // are seen from clusters().origin(), as ClusterTraversal takes them.
   const BoxBlock<float>* wide_node_boxes(int wide_node) {
     if (!wide_nodes_made_.is_made(wide_node)) bound_wide_node(wide_node);
-    return &wide_node_blocks_[first_block_of_wide_node_[wide_node]];
+    return wide_node_blocks(wide_node);
   }
   const Box<float>& wide_node_box(int wide_node) {
     if (!wide_nodes_made_.is_made(wide_node)) bound_wide_node(wide_node);
@@ -61,8 +61,7 @@ class ClusterBody {
     if (is_all_skinned_) return;  // boxes are around skinned vertices already
     if (!is_shared_ && clusters_.clusters_skinned() >= least_clusters_of_contact && is_skinned_in_float()) skin_rather();
     if (!is_rather_skinned_) return;
-    const Cluster& c = tree_.clusters()[cluster];
-    cut_box(c.wide_node, c.child, clusters_.cluster(cluster).box);
+    cut_box(tree_.clusters()[cluster].place, clusters_.cluster(cluster).box);
   }
   // Says that queries of this frame may come in any order, and that its boxes must not depend on that.
   void share() { is_shared_ = true; }
@@ -123,7 +122,8 @@ class ClusterBody {
   void bound_in_double(int wide_node);
   double bound_in_float(const WideNode& wide_node);
   bool has_only_clusters(int wide_node) const;
-  void cut_box(int wide_node, int child, const Box<float>& to);
+  BoxBlock<float>* wide_node_blocks(int wide_node) { return &wide_node_blocks_[first_block_of_wide_node_[wide_node]]; }
+  void cut_box(ChildPlace place, const Box<float>& to);
   void box_skinned(const WideNode& wide_node, BoxBlock<float>* blocks, Box<float>& whole);
 
   const ClusterTree& tree_;
@@ -134,7 +134,7 @@ class ClusterBody {
   RigidTransform<double> placement_;
   Box<double> motion_bound_box_;
   JointFloats joints_;
-  bool is_motion_bound_made_ = false, is_whole_expected_ = false, is_affine_ = false, are_joints_placed_ = false,
+  bool is_motion_bound_made_ = false, is_no_bound_expected_ = false, is_affine_ = false, are_joints_placed_ = false,
        are_floats_filled_ = false, is_all_skinned_ = false, is_rather_skinned_ = false, is_shared_ = false, is_deformed_ = false;
   std::optional<Deformed> deformed_;  // made when a frame first needs it
   FrameStamps wide_nodes_made_;

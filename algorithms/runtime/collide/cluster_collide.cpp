@@ -44,7 +44,7 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
   if (memory && query == Query::yes_no && touch_again(of_clusters, first.tree(), second.tree(), *memory)) {
     memory->are_near = true;
     memory->count_query(0);
-    first.expect_whole(false), second.expect_whole(false);
+    first.expect_no_bound(true), second.expect_no_bound(true);  // they may touch again
     return {of_clusters.found()[0]};
   }
   const bool are_in_float = first.is_skinned_in_float() && second.is_skinned_in_float();
@@ -57,7 +57,8 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
     if (!memory->are_near) memory->count_query(0);
     else if (is_whole) memory->count_whole_query();
     else memory->count_query(are_in_float ? first.excess_work() + second.excess_work() : 0);
-    first.expect_whole(memory->are_entangled()), second.expect_whole(memory->are_entangled());
+    const bool is_no_bound_needed = memory->are_entangled() || (query == Query::yes_no && !pairs.empty());
+    first.expect_no_bound(is_no_bound_needed), second.expect_no_bound(is_no_bound_needed);
   }
   if (query == Query::yes_no && pairs.size() > 1) pairs.resize(1);
   return pairs;

@@ -34,11 +34,6 @@ class ClusterTraversal {
   }
 
  private:
-  // A Place is that of a node or cluster: it is a child of a wide node.
-  struct Place {
-    int wide_node, child;
-  };
-
   // Hits lists the places in a wide node whose boxes are not apart from a box. The list is on top of a common stack as long as this
   // lives.
   class Hits {
@@ -58,7 +53,7 @@ class ClusterTraversal {
     ~Hits() { traversal_.top_ = first_; }
     Hits(const Hits&) = delete;
     std::size_t count() const { return count_; }
-    Place operator[](std::size_t i) const { return {wide_node_, traversal_.hits_[first_ + i]}; }
+    ChildPlace operator[](std::size_t i) const { return {wide_node_, traversal_.hits_[first_ + i]}; }
 
    private:
     void put_deepest_first(const BoxBlock<float>* boxes, const Box<float>& box) {
@@ -78,24 +73,24 @@ class ClusterTraversal {
   };
 
   // Returns the box at a place as it is now, seen from the body's own origin. It may have been larger when the place was listed.
-  static Box<float> box_at(Body& body, Place at) { return get_box(body.wide_node_boxes(at.wide_node), at.child); }
+  static Box<float> box_at(Body& body, ChildPlace at) { return get_box(body.wide_node_boxes(at.wide_node), at.child); }
 
   // Compares one node of the first body with those in a wide node of the second, and the other way round.
-  void below_second(Place a, int wide_node) {
+  void below_second(ChildPlace a, int wide_node) {
     const Hits hits(*this, second_, wide_node, pairs_.moved_back(box_at(first_, a)));
     for (std::size_t i = 0; i < hits.count() && !pairs_.is_done(); ++i) nodes(a, hits[i]);
   }
-  void below_first(int wide_node, Place b) {
+  void below_first(int wide_node, ChildPlace b) {
     const Hits hits(*this, first_, wide_node, pairs_.moved(box_at(second_, b)));
     for (std::size_t i = 0; i < hits.count() && !pairs_.is_done(); ++i) nodes(hits[i], b);
   }
 
   // Compares two nodes whose boxes met when they were listed, and opens the larger one.
-  void nodes(Place at_a, Place at_b) {
+  void nodes(ChildPlace at_a, ChildPlace at_b) {
     const Box<float> box_a = box_at(first_, at_a), box_b = box_at(second_, at_b);
     if (are_apart(box_a, pairs_.moved(box_b))) return;  // by now
-    const WideNodeChild& a = first_.tree().child(at_a.wide_node, at_a.child);
-    const WideNodeChild& b = second_.tree().child(at_b.wide_node, at_b.child);
+    const WideNodeChild& a = first_.tree().child(at_a);
+    const WideNodeChild& b = second_.tree().child(at_b);
     if (a.wide_node < 0 && b.wide_node < 0) {
       pairs_.add(a.cluster, b.cluster);
       first_.tighten(a.cluster), second_.tighten(b.cluster);

@@ -82,8 +82,7 @@ int ClusterTree::add_wide_node(const Part& part) {
     const WideNodeChild child = is_cluster(open[i]) ? WideNodeChild{add_cluster(open[i]), -1, open[i].node}
                                                     : WideNodeChild{-1, add_wide_node(open[i]), open[i].node};
     children_[wide_nodes_[wide_node].first_child + i] = child;
-    if (child.cluster >= 0) clusters_[child.cluster].wide_node = wide_node, clusters_[child.cluster].child = static_cast<int>(i);
-    else wide_nodes_[child.wide_node].parent = wide_node, wide_nodes_[child.wide_node].child = static_cast<int>(i);
+    (child.cluster >= 0 ? clusters_[child.cluster].place : wide_nodes_[child.wide_node].place) = {wide_node, static_cast<int>(i)};
   }
   return wide_node;
 }

@@ -22,11 +22,16 @@ struct ClusterOptions {
   int most_children = 16;  // of a wide node, at least 2; but a node of the sphere tree that has more makes a wide node of its own
 };
 
+// A ChildPlace is that of a cluster or a wide node: it is a child of another wide node.
+struct ChildPlace {
+  int wide_node, child;  // which one, and which of its children; or -1
+};
+
 struct Cluster {
   int padded_vertex_count;  // the positions of its group of vertices()
   int first_vertex;         // how many positions the clusters before it have
   int first_triangle, triangle_count;
-  int wide_node, child;  // the wide node that it is a child of, and which one
+  ChildPlace place;
 };
 
 // A ClusterPair has a cluster of each of two bodies' trees.
@@ -46,7 +51,7 @@ struct WideNode {
   BoxPieces pieces;                                 // the pieces that bound the children, by position in the wide node
   std::vector<MotionBoundPiecePack> motion_bounds;  // the motion bounds of the children; empty where they do not apply
   std::vector<SimplexPiece> simplex_pieces;         // the same pieces one by one, for affine joints
-  int parent = -1, child = -1;                      // the wide node that it is a child of, and which one; the root has none
+  ChildPlace place = {-1, -1};                      // the root has none
 };
 
 class ClusterTree {
@@ -57,7 +62,8 @@ class ClusterTree {
   const Character& character() const { return *character_; }
   // Returns the wide nodes, the root first. The children of one come after it.
   const std::vector<WideNode>& wide_nodes() const { return wide_nodes_; }
-  const WideNodeChild& child(int wide_node, int i) const { return children_[wide_nodes_[wide_node].first_child + i]; }
+  const WideNodeChild& child(int wide_node, int i) const { return child({wide_node, i}); }
+  const WideNodeChild& child(ChildPlace place) const { return children_[wide_nodes_[place.wide_node].first_child + place.child]; }
   const std::vector<Cluster>& clusters() const { return clusters_; }
   const PackedVertices& vertices() const { return vertices_; }  // a group for each cluster
   const FloatVertices& floats() const { return floats_; }       // the same
