@@ -89,7 +89,7 @@ int ClusterTree::add_wide_node(const Part& part) {
 
 int ClusterTree::add_cluster(const Part& part) {
   const int first_triangle = clusters_.empty() ? 0 : clusters_.back().first_triangle + clusters_.back().triangle_count;
-  clusters_.push_back({0, 0, first_triangle, part.triangle_count, 0, 0});
+  clusters_.push_back({0, 0, first_triangle, part.triangle_count, {}});
   cluster_parts_.push_back(part);
   return static_cast<int>(clusters_.size()) - 1;
 }
