@@ -35,8 +35,9 @@ struct Scene {
     std::vector<FloatPaletteEntry> alone(sets.count());
     packs.make_floats({&set, 1}, pose, at, alone.data());
     const FloatPaletteEntry& expected = alone[set];
-    if (packs.packed_joints(set) == 0) return std::isinf(found.slack) && std::isinf(expected.slack);
-    const int joints = packs.packed_joints(set);
+    const int joints = static_cast<int>(sets.joints(set).size());
+    if (packs.packed_joints(set) != (joints <= most_palette_joints ? joints : 0)) return false;
+    if (joints > most_palette_joints) return std::isinf(found.slack) && std::isinf(expected.slack);
     return std::memcmp(found.center, expected.center, sizeof found.center) == 0 && found.slack == expected.slack &&
            (joints == 1 || std::memcmp(found.first, expected.first, sizeof found.first) == 0) &&
            std::memcmp(found.more, expected.more, (joints == 1 ? 2 : joints - 1) * sizeof found.more[0]) == 0;

@@ -1507,7 +1507,8 @@ void wrong_calls_and_files(Suite& t) {
               };
               give_no_skinning(folder.file("baked.glb"), broken);
               good = good && fails(3, {"check", broken}, "there is no such skinning") &&
-                     tampered([](BakedFile& b) { b.rotations = static_cast<RotationBlend>(2); }, "no such blend of rotations") &&
+                     tampered([](BakedFile& b) { b.rotations = static_cast<RotationBlend>(2); },
+                              broken + ": chunk of refitlab: there is no such blend of rotations") &&
                      tampered([](BakedFile& b) { b.clusters.clips.pop_back(); }, "not as many as were baked") &&
                      tampered([](BakedFile& b) { b.clusters.clusters[0].triangles[0] = 1000; }, "not of this file's triangles") &&
                      tampered([](BakedFile& b) { b.clusters.primitives[0].mesh = 7; }, "not of this file's triangles") &&
