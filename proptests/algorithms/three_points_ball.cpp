@@ -18,14 +18,26 @@ gen::Cloud<3> three_points() {
   return cloud;
 }
 
-// What double makes of three points: its radius against the exact one, but for the rounding of the points themselves.
+// Returns how many times as long as the shortest side the longest is. A side of length 0 is none.
+double thinness(const std::array<Vec<double, 3>, 3>& p) {
+  double longest = 0, shortest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const double side = norm<double, 3>(p[k] - p[(k + 1) % 3]);
+    longest = std::max(longest, side);
+    if (side > 0) shortest = std::min(shortest, side);
+  }
+  return std::max(1.0, longest / shortest);
+}
+
+// What double makes of three points: its radius against the exact one, but for the rounding of the points themselves, and what a short side
+// adds to that.
 template <class Rounded>
 bool is_as_exact(const std::array<Vec<double, 3>, 3>& p, const Rounded& rounded) {
   const auto exact = three_points_ball<Rational, 3>(convert<Rational>(p[0]), convert<Rational>(p[1]), convert<Rational>(p[2]));
   const double radius = std::sqrt(CGAL::to_double(exact.squared_radius));
   double size = 0;
   for (const auto& x : p) size = std::max(size, x.cwiseAbs().maxCoeff());
-  return std::abs(rounded - radius) <= 1e-14 * radius + 0x1p-51 * size;
+  return std::abs(rounded - radius) <= (1e-14 + 0x1p-50 * thinness(p)) * radius + 0x1p-51 * size;
 }
 
 }  // namespace

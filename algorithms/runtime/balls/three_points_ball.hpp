@@ -3,7 +3,7 @@
 //
 // If the angle at a point is not acute, the ball has the opposite side as a diameter. Else it is the ball of the circle
 // through all three, whose center has the barycentric coordinates |bc|^2 (b - a, c - a) at a, and so on: in a triangle
-// without an obtuse angle they are positive, and no digits are lost where two of the points are close.
+// without an obtuse angle they are positive.
 #pragma once
 
 #include "algorithms/runtime/balls/smallest_ball.hpp"
@@ -17,7 +17,8 @@ constexpr S tiny_ratio() {
 }
 
 // The radius is that of the farthest point as computed. If a point is not finite, the center and the radius are NaN.
-// Only + - * / are needed. Angles are right from 2^-970 on in double, and from 2^-103 on in float. If the fourth powers of the
+// In double the radius is that of the smallest ball but for some roundings, times the ratio of the longest side to the shortest; the ball
+// has the points nevertheless. Only + - * / are needed. Angles are right from 2^-970 on in double, and from 2^-103 on in float. If the fourth powers of the
 // sides would be out of range, the coordinates are made of ratios.
 template <class S, int D>
 SmallestBall<S, D> three_points_ball(const Vec<S, D>& a, const Vec<S, D>& b, const Vec<S, D>& c) {
