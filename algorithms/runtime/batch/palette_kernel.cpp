@@ -37,19 +37,23 @@ void to_rows(const Columns& columns, double* rows) {
   transpose<double>(from, rows, 8);
 }
 
+// Gathers the record that of_lane(lane) points to into each lane.
+template <class OfLane>
+void gather(const OfLane& of_lane, Columns& out) {
+  const double* rows[8];
+  for (int lane = 0; lane < 8; ++lane) rows[lane] = of_lane(lane);
+  transpose<double>(rows, out.of[0], palette_lanes);
+}
+
 // PackLanes has the sources of a pack, and the joints of its lanes as they are posed.
 template <int N>
 struct PackLanes {
   Columns sources, posed[N];
 
   PackLanes(const PaletteSource* all, const PalettePack& pack, const double* pose) {
-    const double* rows[8];
-    for (int lane = 0; lane < 8; ++lane) rows[lane] = all[pack.set[lane]].numbers;
-    transpose<double>(rows, sources.of[0], palette_lanes);
-    for (int j = 0; j < N; ++j) {
-      for (int lane = 0; lane < 8; ++lane) rows[lane] = pose + 8 * all[pack.set[lane]].joint[j];
-      transpose<double>(rows, posed[j].of[0], palette_lanes);
-    }
+    const auto source = [&](int lane) -> const PaletteSource& { return all[pack.set[lane]]; };
+    gather([&](int lane) { return source(lane).numbers; }, sources);
+    for (int j = 0; j < N; ++j) gather([&](int lane) { return pose + 8 * source(lane).joint[j]; }, posed[j]);
   }
 
   Vec<S, 3> prior(int first) const { return {sources.load(0, first), sources.load(1, first), sources.load(2, first)}; }
