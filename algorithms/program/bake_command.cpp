@@ -61,6 +61,9 @@ po::options_description options() {
   return description;
 }
 
+// Returns the files that a call writes besides OUT.
+std::vector<NamedFile> written_beside(const po::variables_map& map) { return files_of(map, {"json", "report", "certificate"}); }
+
 BakeCall parse(const po::variables_map& map) {
   BakeCall call{map["IN.glb"].as<std::string>(), map["OUT.glb"].as<std::string>(), "", "", "", {}};
   if (map.count("json")) call.json = map["json"].as<std::string>();
@@ -96,7 +99,7 @@ BakeCall parse(const po::variables_map& map) {
     if (!(*tolerance > 0 && *tolerance <= 1)) throw UsageError("--" + std::string(name) + " takes a number above 0, and up to 1");
   }
   if (call.out.empty()) throw UsageError("OUT.glb takes a file");
-  check_written({{"IN.glb", call.in}, {"OUT.glb", call.out}}, files_of(map, {"json", "report", "certificate"}));
+  check_written({{"IN.glb", call.in}, {"OUT.glb", call.out}}, written_beside(map));
   return call;
 }
 
@@ -236,7 +239,9 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
 
   long clusters = 0;
   for (const ModelPart& part : bounds.parts) clusters += part.kind == PartKind::cluster;
-  std::ostream& told = told_to({call.out, call.json, call.report, call.certificate}, out, errors);
+  std::vector<NamedFile> written = written_beside(map);
+  written.push_back({"OUT.glb", call.out});
+  std::ostream& told = told_to(written, out, errors);
   told << printable(call.out) << ": " << model.triangles.size() << " triangles in " << clusters << " clusters, "
        << bounds.clips.size() << " clips, " << bounds.crossfades.size() << " crossfades, " << name_of(bounds.skinning)
        << " skinning; " << std::fixed << std::setprecision(2) << seconds << " s\n";

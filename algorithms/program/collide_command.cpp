@@ -136,9 +136,7 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
     for (const TrianglePair& pair : pairs) summary["pairs"].push_back({pair.first, pair.second});
     write_whole(map["json"].as<std::string>(), text_of(summary) + "\n");
   }
-  std::vector<std::string> written;
-  for (const NamedFile& file : written_files(map)) written.push_back(file.path);
-  std::ostream& told = told_to(written, out, errors);
+  std::ostream& told = told_to(written_files(map), out, errors);
   told << pairs.size() << " pairs of triangles touch\n";
   if (map.count("pairs"))
     for (const TrianglePair& pair : pairs) told << pair.first << ' ' << pair.second << '\n';

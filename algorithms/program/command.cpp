@@ -53,6 +53,9 @@ boost::program_options::variables_map parse_arguments(const std::vector<std::str
     all.add_options()(file.c_str(), po::value<std::string>());
     positions.add(file.c_str(), 1);
   }
+  constexpr const char* more = "more files";
+  all.add_options()(more, po::value<std::vector<std::string>>());
+  positions.add(more, -1);
   std::vector<std::string> words = arguments;
   const auto end = std::find(words.begin(), words.end(), "--");
   std::replace(words.begin(), end, std::string("-h"), std::string("--help"));
@@ -67,6 +70,7 @@ boost::program_options::variables_map parse_arguments(const std::vector<std::str
   } catch (const po::error& e) {
     throw UsageError(e.what());
   }
+  if (map.count(more)) throw UsageError("it takes no file more: " + map[more].as<std::vector<std::string>>()[0]);
   if (!map.count("help"))
     for (const std::string& file : files)
       if (!map.count(file)) throw UsageError("it takes a file more: " + file);
@@ -111,8 +115,9 @@ bool is_standard_output(const std::string& path) {
          file.st_ino == standard.st_ino;
 }
 
-std::ostream& told_to(const std::vector<std::string>& files, std::ostream& out, std::ostream& errors) {
-  return std::any_of(files.begin(), files.end(), is_standard_output) ? errors : out;
+std::ostream& told_to(const std::vector<NamedFile>& written, std::ostream& out, std::ostream& errors) {
+  const bool is_any = std::any_of(written.begin(), written.end(), [](const auto& file) { return is_standard_output(file.path); });
+  return is_any ? errors : out;
 }
 
 const char* name_of(Skinning skinning) {

@@ -159,7 +159,8 @@ SyntheticCase make_synthetic_case(std::uint64_t seed, std::uint64_t number) {
     SyntheticSet set;
     const Rational away(sets == 1 ? 0 : random.between(0, 24), 16);
     set.reference.center = synthetic.reference.center + rotate(any_rotation(random), RationalPoint(away, 0, 0));
-    set.reference.radius = Rational(random.between(1, 40), random.one_in(3) ? 200 : 20);
+    const int denominator = random.one_in(3) ? 200 : 20;  // drawn first, in whichever order a compiler takes arguments
+    set.reference.radius = Rational(random.between(1, 40), denominator);
     set.palette.transforms = any_transforms(random);
     Transforms& c = set.palette.transforms;
     if (!random.one_in(4)) make_signs_consistent<Rational>(c);

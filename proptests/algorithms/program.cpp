@@ -1340,7 +1340,9 @@ void what_a_bake_refuses_or_says(Suite& t) {
     write_whole(folder.file("file"), "");
     std::ostringstream out, errors;
     const auto is_told_to = [&](const std::vector<std::string>& files, std::ostream& where) {
-      return &told_to(files, out, errors) == &where;
+      std::vector<NamedFile> written;
+      for (const std::string& file : files) written.push_back({"OUT", file});
+      return &told_to(written, out, errors) == &where;
     };
     return Checked(is_standard_output("/proc/self/fd/1") && !is_standard_output(folder.file("file")) && !is_standard_output("") &&
                        is_told_to({}, out) && is_told_to({"", folder.file("file")}, out) &&
@@ -1473,7 +1475,10 @@ void wrong_calls_and_files(Suite& t) {
                 return is_refused(code, arguments, reason, out, wrong);
               };
               bool good =
-                  fails(2, {"bake", in}, "it takes a file more: OUT.glb") && fails(2, {"frob"}, "there is no command frob") &&
+                  fails(2, {"bake", in}, "it takes a file more: OUT.glb") &&
+                  fails(2, {"bake", in, out, "third.glb", "fourth.glb"}, "it takes no file more: third.glb") &&
+                  fails(2, {"info", in, "--", "-5"}, "it takes no file more: -5") &&
+                  fails(2, {"frob"}, "there is no command frob") &&
                   fails(2, {"bake", "--skinning", "cubic", in, out}, "there is no such skinning") &&
                   fails(2, {"bake", "--clusters", "5", in, out}, "a multiple of 4") &&
                   fails(2, {"bake", "--tolerance", "0", in, out}, "a number above 0") &&

@@ -155,7 +155,7 @@ void longer_slerps_move_within_the_bounds(Suite& t) {
            .number_type = "multiprecision interval",
            .cases = 300,
            .degenerate_at_most = 0.6,
-           .tags_at_least = {{"beyond a right angle", 0.2}, {"nearly two thirds of a half turn", 0.03}}},
+           .tags_at_least = {{"beyond a right angle", 0.2}, {"nearly two thirds of a half turn", 0.01}}},
           [] {
             Fade f;
             if (*rc::gen::arbitrary<bool>() && f.cosine > 0 && 2 * f.cosine <= 1) {
