@@ -20,8 +20,9 @@
 #pragma once
 
 #include "lemmas/a1_affine_image.hpp"
-#include "lemmas/c6_interval_hull.hpp"
 #include "lemmas/vocabulary/displacement.hpp"
+#include "lemmas/vocabulary/motion.hpp"
+#include "lemmas/vocabulary/slab.hpp"
 
 namespace refitlab {
 

@@ -45,6 +45,10 @@ struct ControlPoint {
   S weight;
 };
 
+// Control points stray far from the surface where rotations are far apart. Weight vertices are near if W_kl > 0, and this times W_kl^2 is
+// above W_kk W_ll: of degree 3 they are less than 120 degrees of rotation apart, and of degree 2 less than 90.
+inline constexpr double near_of_degree_three = 4, near_of_degree_two = 2;
+
 // A mixed pair holds W_kl of two weight vertices, and with it P_kl, or N_kl for degree 2.
 template <class S>
 struct MixedPair {
@@ -252,6 +256,7 @@ BezierSimplex<S> bezier_simplex(const Blend& blend, std::span<const S> u) {
 
 // Sources: rational Bezier simplices [Farin, "Curves and Surfaces for CAGD"]; dual quaternion skinning [Kavan et al.
 // 2008].
-// Used by: b2_control_hull_encloses, b5_rotation_axis, b6_dual_quaternion_ball; algorithms/certificate/bound.cpp,
-// algorithms/runtime/collide/box_lanes.hpp, algorithms/runtime/refit/control_hull.hpp,
-// algorithms/runtime/refit/dual_quaternion.hpp.
+// Used by: b2_control_hull_encloses, b3_subdivision, b5_rotation_axis, b6_dual_quaternion_ball, b7_motion_bound;
+// algorithms/certificate/bound.cpp, algorithms/runtime/collide/box_lanes.hpp,
+// algorithms/runtime/refit/control_hull.hpp, algorithms/runtime/refit/dual_quaternion.hpp,
+// experiments/drawings/control_hulls.cpp.

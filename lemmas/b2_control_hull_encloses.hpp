@@ -94,4 +94,4 @@ Verdict control_balls_enclose(const Blend& blend, std::span<const S> u, const Ba
 }  // namespace refitlab
 
 // Sources: the convex hull property of rational Bezier simplices [Farin, "Curves and Surfaces for CAGD"].
-// Used by: b3_subdivision; programs only through these.
+// Used by: b3_subdivision; experiments/drawings/control_hulls.cpp.

@@ -29,7 +29,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "lemmas/b2_control_hull_encloses.hpp"
+#include "lemmas/s42_linear_part_hull.hpp"
 #include "lemmas/vocabulary/nonzero.hpp"
 
 namespace refitlab {

@@ -18,6 +18,7 @@
 
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 #include "lemmas/s42_linear_part_hull.hpp"
+#include "lemmas/s43_minkowski_sum.hpp"
 #include "lemmas/t3_one_cap.hpp"
 
 namespace refitlab {
@@ -111,4 +112,4 @@ Verdict positive_pairs_are_ahead(const std::vector<Quaternion<S>>& rotations) {
 }  // namespace refitlab
 
 // Sources: t3_one_cap, lemma5_cap_enclosing_sphere.
-// Used by: b5_rotation_axis; algorithms/certificate/bound.cpp.
+// Used by: b5_rotation_axis; algorithms/certificate/bound.cpp, experiments/drawings/control_hulls.cpp.

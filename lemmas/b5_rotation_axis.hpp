@@ -17,6 +17,7 @@
 
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "lemmas/b4_cap_fallback.hpp"
+#include "lemmas/s43_minkowski_sum.hpp"
 
 namespace refitlab {
 

@@ -53,6 +53,7 @@
 //   quaternions.
 #pragma once
 
+#include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "lemmas/b6_dual_quaternion_ball.hpp"
 #include "lemmas/vocabulary/rigid.hpp"
 

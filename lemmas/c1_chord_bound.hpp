@@ -189,4 +189,5 @@ Verdict is_on_chord_of_moments(const Vec<S, D>& from, const Vec<S, D>& to, const
 }  // namespace refitlab
 
 // Sources: the bound is that of linear interpolation; for curves of R^d [de Boor 1978, "A practical guide to splines"].
-// Used by: c2_channel_motion, c6_interval_hull; programs only through these.
+// Used by: c2_channel_motion, c6_interval_hull, c7_crossfade; algorithms/bake/over_time/moving_vertices.cpp,
+// algorithms/bake/over_time/node_motions.cpp, experiments/drawings/motion.cpp.

@@ -174,4 +174,5 @@ ChannelMoment<S, 4> slerp_moves(const Quaternion<S>& q, const Quaternion<S>& acr
 
 // Sources: channels are those of [Khronos 2021, "glTF 2.0 specification", appendix C]; slerp [Shoemake 1985, "Animating
 // rotation with quaternion curves"].
-// Used by: c4_chain_motion, c8_any_pose; algorithms/model/channel_value.cpp.
+// Used by: c4_chain_motion, c7_crossfade, c8_any_pose; algorithms/bake/over_time/node_motions.cpp,
+// algorithms/model/channel_value.cpp, experiments/drawings/motion.cpp.

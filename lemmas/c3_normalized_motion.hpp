@@ -5,7 +5,8 @@
 // (i) q = p / ||p|| has ||q'|| <= L / m and ||q''|| <= A / m + 2/sqrt(3) (L / m)^2;
 // (ii) g = p / ||p||^2 has ||g|| <= 1 / m, ||g'|| <= L / m^2 and ||g''|| <= A / m^2 + 2 L^2 / m^3.
 // Both are sharp at a moment with ||p|| = m, but for (i) where A > 0. For m:
-// (iii) if p = sum w_k q_k with w of W_n, unit quaternions and all (q_k, q_l) >= c, then ||p||^2 >= c + (1 - c) / n;
+// (iii) if p = sum w_k q_k with w of W_n, all ||q_k||^2 >= d, which is 1 for unit quaternions, and all (q_k, q_l) >= c for k != l, where
+//   c <= d, then ||p||^2 >= c + (d - c) / n;
 //   For given w and all (q_k, q_l) >= c_kl, ||p||^2 >= sum w_k^2 + 2 sum_{k<l} w_k w_l c_kl;
 // (iv) if p is a convex combination of p_k, and a any vector but 0, then ||p|| >= min_k (p_k, a) / ||a||.
 // Where none of them is positive p may vanish, and there is no bound: near 0 a blend turns as fast as it wants to.
@@ -18,7 +19,7 @@
 // (i) ||q''|| <= ||b|| / n + |(2 x y, x^2)| / n^2, and x^2 (4 y^2 + x^2) = x^2 (4 ||p'||^2 - 3 x^2) <= 4/3 ||p'||^4.
 // (ii) n^2 g'' = (p'' reflected in q) + 2/n ((y^2 - x^2) q - 2 x y e), whose last bracket has the length x^2 + y^2; g' is p'
 //   reflected, over n^2.
-// (iii) ||p||^2 = sum w_k^2 + sum_{k != l} w_k w_l (q_k, q_l) >= s + c (1 - s), s = sum w_k^2 >= 1 / n, and c <= 1.
+// (iii) ||p||^2 = sum w_k^2 ||q_k||^2 + sum_{k != l} w_k w_l (q_k, q_l) >= d s + c (1 - s), s = sum w_k^2 >= 1 / n, and c <= d.
 // (iv) ||p|| ||a|| >= (p, a), a convex combination of the (p_k, a).
 #pragma once
 
@@ -42,10 +43,10 @@ Motion<S> inverse_motion(const Motion<S>& blend, const S& least) {
   return {S(1) / least, turn / least, (blend.acceleration / least + S(2) * sq(turn)) / least};
 }
 
-// Returns m^2 of (iii). count is no less than the number of quaternions.
+// Returns m^2 of (iii). count is no less than the number of quaternions, and squared_length is d.
 template <class S>
-S least_squared_blend(const S& cosine, const S& count) {
-  return cosine + (S(1) - cosine) / count;
+S least_squared_blend(const S& cosine, const S& count, const S& squared_length = S(1)) {
+  return cosine + (squared_length - cosine) / count;
 }
 
 // Returns the squared length of the blend with given weights. cosines are the c_kl for k < l in order.
@@ -170,8 +171,10 @@ InverseMoment<S> inverse_moves(const Moment<S, 4>& blend, const Motion<S>& motio
 
 // Judges (iii).
 template <class S>
-Verdict blend_is_long(std::span<const Quaternion<S>> units, const S& cosine, std::span<const S> w) {
-  return less_equal(least_squared_blend(cosine, S(static_cast<int>(units.size()))), squared_norm(combine<S, 4>(w, units)));
+Verdict blend_is_long(std::span<const Quaternion<S>> blended, const S& cosine, std::span<const S> w,
+                      const S& squared_length = S(1)) {
+  const S least = least_squared_blend(cosine, S(static_cast<int>(blended.size())), squared_length);
+  return less_equal(least, squared_norm(combine<S, 4>(w, blended)));
 }
 
 // Judges (iv): m is at most 0, or the blend is at least as long as m.
@@ -192,4 +195,6 @@ Verdict moves_like_its_blend(const Moment<S, 4>& blend, const Motion<S>& motion)
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: c5_skinned_motion, c7_crossfade; algorithms/bake/over_time/node_motions.cpp.
+// Used by: c5_skinned_motion, c7_crossfade; algorithms/bake/over_time/moving_vertices.cpp,
+// algorithms/bake/over_time/node_motions.cpp, algorithms/runtime/skinning/palette_rounding.hpp,
+// experiments/drawings/motion.cpp.

@@ -153,5 +153,7 @@ Verdict are_chain_steps(std::span<const LinkMoment<S>> links, std::span<const Li
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: c5_skinned_motion, c7_crossfade; algorithms/bake/over_time/moving_joints.hpp,
-// algorithms/bake/over_time/node_motions.hpp.
+// Used by: c5_skinned_motion; algorithms/bake/over_time/crossfaded_joints.cpp,
+// algorithms/bake/over_time/crossfaded_joints.hpp, algorithms/bake/over_time/moving_joints.hpp,
+// algorithms/bake/over_time/moving_vertices.cpp, algorithms/bake/over_time/node_motions.cpp,
+// algorithms/bake/over_time/node_motions.hpp, experiments/drawings/motion.cpp.

@@ -27,25 +27,38 @@
 
 namespace refitlab {
 
+// Returns the most that a convex function reaches throughout, from the most that it reaches at the ends, or corners. Over each
+// distance it changes by no more than the scale times that. Of (n, x) the scale is ||n||, and of the distance from a point it is 1.
+template <class S>
+S greatest_over_interval(const S& at_ends, const S& scale, const S& slack) {
+  return at_ends + scale * slack;
+}
+
 // Returns the slab of the interval. start and end are the slabs of its ends.
 template <class S>
 Slab<S> interval_slab(const Slab<S>& start, const Slab<S>& end, const S& slack, const S& direction_length) {
-  const S wider = direction_length * slack;
-  return {min_of(start.low, end.low) - wider, max_of(start.high, end.high) + wider};
+  const S most_downward = greatest_over_interval(S(-min_of(start.low, end.low)), direction_length, slack);
+  return {-most_downward, greatest_over_interval(max_of(start.high, end.high), direction_length, slack)};
 }
 
 // Returns the ball of the interval. around_both encloses the balls of both ends.
 template <class S>
 Ball3<S> interval_ball(const Ball3<S>& around_both, const S& slack) {
-  return inflate(around_both, slack);
+  return {around_both.center, greatest_over_interval(around_both.radius, S(1), slack)};
 }
 
 // Returns the sum of the e_i of (ii).
 template <class S>
-S box_slack(std::span<const Motion<S>> motions, std::span<const S> sides) {
+S box_slack(std::span<const S> slacks) {
   S sum(0);
-  for (std::size_t i = 0; i < sides.size(); ++i) sum = sum + chord_slack(motions[i], sides[i]);
+  for (const S& slack : slacks) sum = sum + slack;
   return sum;
+}
+template <class S>
+S box_slack(std::span<const Motion<S>> motions, std::span<const S> sides) {
+  std::vector<S> slacks;
+  for (std::size_t i = 0; i < sides.size(); ++i) slacks.push_back(chord_slack(motions[i], sides[i]));
+  return box_slack<S>(slacks);
 }
 
 // Returns the least value of (iii).
@@ -171,6 +184,5 @@ Slab<S> slab_of_keys(const Slab<S>& start, const Slab<S>& end) {
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: a3_morph_displacement, c7_crossfade; algorithms/bake/over_time/bound_over_time.hpp,
-// algorithms/bake/over_time/moving_vertices.cpp, algorithms/runtime/refit/deformed_reference.hpp,
+// Used by: c7_crossfade; algorithms/bake/over_time/bound_over_time.cpp, algorithms/bake/over_time/moving_vertices.cpp,
 // experiments/drawings/motion.cpp.

@@ -30,8 +30,9 @@
 // pi/2 u <= 1; beyond, u <= 1 / sin t <= 2 / sqrt 3, since t <= 2 pi/3.
 #pragma once
 
+#include "lemmas/c1_chord_bound.hpp"
+#include "lemmas/c2_channel_motion.hpp"
 #include "lemmas/c3_normalized_motion.hpp"
-#include "lemmas/c4_chain_motion.hpp"
 #include "lemmas/c6_interval_hull.hpp"
 
 namespace refitlab {

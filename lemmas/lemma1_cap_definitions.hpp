@@ -175,5 +175,5 @@ Verdict half_space_is_cap_printed(const SquaredBall<S, D>& surface, const HalfSp
 }  // namespace refitlab
 
 // Sources: the paper; Cauchy's inequality.
-// Used by: lemma3_sphere_surface_intersection; experiments/explorer/pages/lemma1.hpp,
-// experiments/pictures/cap_figure.cpp.
+// Used by: lemma3_sphere_surface_intersection; experiments/drawings/common.hpp, experiments/drawings/lemmas.cpp,
+// experiments/explorer/pages/lemma1.hpp, experiments/explorer/pages/lemma3.hpp, experiments/pictures/cap_figure.cpp.

@@ -157,4 +157,5 @@ Verdict normalisation_keeps_rotations_repaired(const VecList<S, D>& vectors, con
 }  // namespace refitlab
 
 // Sources: the paper. Generators of a convex cone may be scaled by positive factors (folklore).
-// Used by: lemma4_quaternion_hull; experiments/explorer/pages/lemma2.hpp.
+// Used by: lemma4_quaternion_hull; experiments/drawings/lemmas.cpp, experiments/explorer/pages/lemma2.hpp,
+// experiments/explorer/pages/lemma4.hpp.

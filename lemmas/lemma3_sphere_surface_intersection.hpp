@@ -171,5 +171,7 @@ Verdict intersection_distance_printed(const SquaredBall<S, D>& ball) {
 }  // namespace refitlab
 
 // Sources: the paper; the plane is the radical plane of the two spheres.
-// Used by: lemma4_quaternion_hull, s43_distance_range; algorithms/methods/refit/algorithm1_printed.hpp,
-// experiments/explorer/pages/lemma3.hpp, experiments/pictures/cap_figure.cpp.
+// Used by: lemma4_quaternion_hull, s43_distance_range, s43_whole_sphere_fallback, t3_min_dot_distance,
+// t3_smallest_ball_smallest_cap; algorithms/methods/refit/algorithm1_printed.hpp, experiments/drawings/common.hpp,
+// experiments/drawings/lemmas.cpp, experiments/explorer/pages/lemma3.hpp, experiments/explorer/pages/lemma4.hpp,
+// experiments/explorer/pages/whole_sphere.hpp, experiments/pictures/cap_figure.cpp.

@@ -40,6 +40,10 @@ Verdict ball_keeps_hulls(const SquaredBall<S, D>& ball) {
   return less_equal(S(0), o) | multiple_of_root_at_most(S(2), squared_norm(ball.center), S(-o));
 }
 
+// A cap about a unit vector, whose squared half chord s^2 is less than this, is less than half of the surface. It is C of the ball
+// about that vector with the radius 2 s, for which o = 2 - 4 s^2 > 0.
+inline constexpr double squared_half_chord_of_half_sphere = 0.5;
+
 // --- Conclusion ---
 
 // b / ||b|| is in E, for b != 0. This is o ||b|| <= 2 (b, c).
@@ -141,5 +145,6 @@ Verdict radius_below_one_is_needed_printed(const SquaredBall<S, D>& ball) {
 }  // namespace refitlab
 
 // Sources: the paper.
-// Used by: rotation_bound; algorithms/methods/refit/algorithm1_printed.hpp, experiments/drawings/common.hpp,
+// Used by: rotation_bound; algorithms/methods/refit/algorithm1_printed.hpp,
+// algorithms/runtime/batch/rotation_bound_packs.hpp, experiments/drawings/common.hpp,
 // experiments/explorer/pages/lemma4.hpp.

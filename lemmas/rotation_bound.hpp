@@ -61,7 +61,7 @@ RotationBound<S> bound_rotations(std::span<const Quaternion<S>> unit, const Quat
   if (!is_certainly_nonzero(squared_length)) return all_rotations<S>();
   const Quaternion<S> apex = direction / root(squared_length);
   const S s2 = squared_half_chord(unit, apex);
-  return certainly_less(s2, S(0.5)) ? bound_of_cap(apex, s2) : all_rotations<S>();
+  return certainly_less(s2, S(squared_half_chord_of_half_sphere)) ? bound_of_cap(apex, s2) : all_rotations<S>();
 }
 
 // Returns the ball that holds R_q x for every non-zero q in the hull. These are lines 14 and 15, without r'_k.
@@ -73,5 +73,6 @@ Ball3<S> rotated_ball(const RotationBound<S>& bound, const Vec<S, 3>& x) {
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: algorithms/runtime/batch/rotation_bound_packs.hpp, algorithms/runtime/refit/algorithm1_repaired.hpp,
-// algorithms/runtime/refit/control_hull.hpp, experiments/drawings/one_cap.cpp.
+// Used by: algorithms/runtime/batch/refit_kernel.cpp, algorithms/runtime/batch/rotation_bound_packs.hpp,
+// algorithms/runtime/refit/algorithm1_repaired.hpp, algorithms/runtime/refit/control_hull.hpp,
+// experiments/drawings/one_cap.cpp.

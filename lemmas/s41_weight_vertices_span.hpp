@@ -253,4 +253,4 @@ Verdict weight_vertices_exist_repaired(const WeightBounds<S>& bounds) {
 
 // Sources: Matousek, Lectures on Discrete Geometry, 2002 (bounded H-polytopes are V-polytopes); O'Neil, Hyperplane cuts
 // of an n-cube, Discrete Mathematics 1, 1971 (the number of edges cut).
-// Used by: s42_linear_part_hull; programs only through these.
+// Used by: s42_linear_part_hull, s44_joint_sets; algorithms/certificate/bound.cpp.

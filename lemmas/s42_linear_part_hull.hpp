@@ -102,4 +102,5 @@ LinearPartPoint<S, D> hull_in_linear_part(const WeightBounds<S>& bounds, const W
 }  // namespace refitlab
 
 // Sources: the paper.
-// Used by: b2_control_hull_encloses, b4_cap_fallback, s44_sum_of_bounds; experiments/drawings/sections.cpp.
+// Used by: b2_control_hull_encloses, b3_subdivision, b4_cap_fallback, s44_joint_sets;
+// experiments/drawings/sections.cpp.

@@ -110,4 +110,4 @@ Verdict distance_range_repaired(const Vec<S, D>& center, const S& radius) {
 }  // namespace refitlab
 
 // Sources: the paper; Heron's formula.
-// Used by: s43_whole_sphere_fallback, t3_min_dot_distance; programs only through these.
+// Used by: s43_whole_sphere_fallback; experiments/drawings/sections.cpp.

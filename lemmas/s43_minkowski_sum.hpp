@@ -88,4 +88,5 @@ MinkowskiSum<S> sum_in_turned_ball(const Quaternion<S>& blend, const Ball3<S>& b
 }  // namespace refitlab
 
 // Sources: the paper.
-// Used by: b8_blend_error, s43_rotated_cap, s44_joint_sets; experiments/drawings/sections.cpp.
+// Used by: b4_cap_fallback, b5_rotation_axis, b8_blend_error, s43_rotated_cap, s44_joint_sets;
+// experiments/drawings/control_hulls.cpp, experiments/drawings/sections.cpp.

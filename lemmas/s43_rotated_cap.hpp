@@ -151,4 +151,5 @@ RotationOnto<S> rotation_onto(const Quaternion<S>& apex, const S& cos_angle, con
 }  // namespace refitlab
 
 // Sources: the paper; the bound is Rodrigues' formula for (v, R_s v) in half angles.
-// Used by: rotation_bound, s43_whole_sphere_fallback, t3_one_cap; algorithms/methods/refit/algorithm1_printed.hpp.
+// Used by: rotation_bound, s43_whole_sphere_fallback, t3_one_cap; algorithms/methods/refit/algorithm1_printed.hpp,
+// experiments/drawings/one_cap.cpp, experiments/drawings/sections.cpp.

@@ -14,6 +14,7 @@
 
 #include <span>
 
+#include "lemmas/lemma3_sphere_surface_intersection.hpp"
 #include "lemmas/s43_distance_range.hpp"
 #include "lemmas/s43_rotated_cap.hpp"
 #include "lemmas/vocabulary/weights.hpp"
@@ -115,4 +116,4 @@ Verdict rotated_blend_is_bounded(const RotatedVectorsCap<S>& cap, const Quaterni
 }  // namespace refitlab
 
 // Sources: the paper, with Lemmas 3 and 4.
-// Used by: experiments/drawings/sections.cpp, experiments/explorer/pages/whole_sphere.hpp.
+// Used by: experiments/explorer/pages/whole_sphere.hpp.

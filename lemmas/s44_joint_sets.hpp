@@ -16,8 +16,9 @@
 #include <span>
 #include <vector>
 
+#include "lemmas/s41_weight_vertices_span.hpp"
+#include "lemmas/s42_linear_part_hull.hpp"
 #include "lemmas/s43_minkowski_sum.hpp"
-#include "lemmas/s44_sum_of_bounds.hpp"
 #include "lemmas/vocabulary/blending.hpp"
 #include "lemmas/vocabulary/squared_ball.hpp"
 

@@ -17,7 +17,6 @@
 #include <span>
 #include <vector>
 
-#include "lemmas/s42_linear_part_hull.hpp"
 #include "lemmas/vocabulary/sphere.hpp"
 
 namespace refitlab {
@@ -130,4 +129,4 @@ Verdict farthest_point_decides(const Ball3<S>& outer, const Ball3<S>& inner) {
 }  // namespace refitlab
 
 // Sources: the paper.
-// Used by: s44_joint_sets; programs only through these.
+// Used by: no program.

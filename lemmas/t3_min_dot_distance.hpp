@@ -13,7 +13,7 @@
 
 #include <span>
 
-#include "lemmas/s43_distance_range.hpp"
+#include "lemmas/lemma3_sphere_surface_intersection.hpp"
 
 namespace refitlab {
 
@@ -77,4 +77,4 @@ MinDotDistance<S> min_dot_distance(std::span<const Vec<S, D>> units, const Vec<S
 }  // namespace refitlab
 
 // Sources: none; the identity of the proof.
-// Used by: t3_smallest_ball_smallest_cap; programs only through these.
+// Used by: t3_smallest_ball_smallest_cap; experiments/drawings/one_cap.cpp.

@@ -110,4 +110,5 @@ RotatedPair<S> one_cap_rotated(const Quaternion<S>& blend, const Quaternion<S>& 
 }  // namespace refitlab
 
 // Sources: none; the copositive form of the proof.
-// Used by: b4_cap_fallback; experiments/drawings/one_cap.cpp.
+// Used by: b4_cap_fallback; algorithms/certificate/bound.cpp, experiments/drawings/control_hulls.cpp,
+// experiments/drawings/one_cap.cpp.

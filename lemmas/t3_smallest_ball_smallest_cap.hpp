@@ -16,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#include "lemmas/lemma3_sphere_surface_intersection.hpp"
 #include "lemmas/t3_min_dot_distance.hpp"
 #include "lemmas/vocabulary/weights.hpp"
 
@@ -96,4 +97,4 @@ Verdict is_not_smaller_cap(std::span<const Vec<S, D>> units, const SmallestCap<S
 }  // namespace refitlab
 
 // Sources: CGAL Bounding_volumes (the certificate); Gilbert, Johnson and Keerthi 1988 (the nearest point).
-// Used by: experiments/drawings/one_cap.cpp.
+// Used by: no program.

@@ -13,7 +13,9 @@
 #include "lemmas/b3_subdivision.hpp"
 #include "lemmas/b4_cap_fallback.hpp"
 #include "lemmas/b6_dual_quaternion_ball.hpp"
+#include "lemmas/s41_weight_vertices_span.hpp"
 #include "lemmas/s44_joint_sets.hpp"
+#include "lemmas/t3_one_cap.hpp"
 
 namespace refitlab {
 namespace {

@@ -10,6 +10,8 @@
 #include "algorithms/runtime/balls/few_balls_ball.hpp"
 #include "algorithms/runtime/balls/mean_ball.hpp"
 #include "experiments/drawings/drawings.hpp"
+#include "lemmas/lemma1_cap_definitions.hpp"
+#include "lemmas/lemma3_sphere_surface_intersection.hpp"
 #include "lemmas/lemma4_quaternion_hull.hpp"
 #include "lemmas/vocabulary/quaternion.hpp"
 

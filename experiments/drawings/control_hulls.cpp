@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // These are the drawings of the lemmas beyond the paper.
 #include "experiments/drawings/common.hpp"
+#include "lemmas/b1_rational_bezier_simplex.hpp"
+#include "lemmas/b2_control_hull_encloses.hpp"
 #include "lemmas/b3_subdivision.hpp"
+#include "lemmas/b4_cap_fallback.hpp"
 #include "lemmas/b5_rotation_axis.hpp"
+#include "lemmas/b6_dual_quaternion_ball.hpp"
 #include "lemmas/b7_motion_bound.hpp"
 #include "lemmas/b8_blend_error.hpp"
+#include "lemmas/s43_minkowski_sum.hpp"
+#include "lemmas/t3_one_cap.hpp"
 
 namespace refitlab::drawings {
 namespace {

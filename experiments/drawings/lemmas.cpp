@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // These are the drawings of the paper's lemmas.
 #include "experiments/drawings/common.hpp"
+#include "lemmas/lemma1_cap_definitions.hpp"
+#include "lemmas/lemma2_normalization.hpp"
+#include "lemmas/lemma3_sphere_surface_intersection.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 
 namespace refitlab::drawings {

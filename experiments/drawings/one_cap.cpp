@@ -3,8 +3,9 @@
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "experiments/drawings/common.hpp"
 #include "lemmas/rotation_bound.hpp"
+#include "lemmas/s43_rotated_cap.hpp"
+#include "lemmas/t3_min_dot_distance.hpp"
 #include "lemmas/t3_one_cap.hpp"
-#include "lemmas/t3_smallest_ball_smallest_cap.hpp"
 
 namespace refitlab::drawings {
 namespace {

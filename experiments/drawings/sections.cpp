@@ -3,8 +3,9 @@
 #include "algorithms/bake/weight_vertices.hpp"
 #include "experiments/drawings/common.hpp"
 #include "lemmas/s42_linear_part_hull.hpp"
+#include "lemmas/s43_distance_range.hpp"
 #include "lemmas/s43_minkowski_sum.hpp"
-#include "lemmas/s43_whole_sphere_fallback.hpp"
+#include "lemmas/s43_rotated_cap.hpp"
 
 namespace refitlab::drawings {
 namespace {

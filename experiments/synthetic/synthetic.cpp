@@ -13,6 +13,7 @@
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/verification/score.hpp"
+#include "experiments/speed/statistics.hpp"
 
 namespace refitlab {
 namespace {
@@ -65,7 +66,7 @@ SyntheticResult summary(const std::vector<MeasuredCase>& cases, std::size_t vari
   if (looseness.empty()) return out;
   std::sort(looseness.begin(), looseness.end());
   for (const double x : looseness) out.looseness_mean += x / static_cast<double>(looseness.size());
-  out.looseness_median = looseness[looseness.size() / 2];
+  out.looseness_median = median(looseness);
   out.looseness_max = looseness.back();
   return out;
 }

@@ -38,9 +38,9 @@ Definition inverse_curve_moves : Prop := forall (p : R -> quat R) (s L A m a b :
   0 < m -> (forall t, a <= t <= b -> m <= norm (p t)) -> moves (fun t => inverse_of (p t)) (inverse_motion L A m) a b.
 
 (* (iii) *)
-Definition blend_is_long_by_cosines : Prop := forall E (l : Lin R E) (H : Euclid E) (qs : list E) w (c : R),
-  convex (length qs) w -> Forall (fun q => norm2 q = 1) qs -> ForallOrdPairs (fun p q => c <= dot p q) qs -> c <= 1 ->
-  c + (1 - c) / INR (length qs) <= norm2 (comb w qs).
+Definition blend_is_long_by_cosines : Prop := forall E (l : Lin R E) (H : Euclid E) (qs : list E) w (c d : R),
+  convex (length qs) w -> Forall (fun q => d <= norm2 q) qs -> ForallOrdPairs (fun p q => c <= dot p q) qs -> c <= d ->
+  c + (d - c) / INR (length qs) <= norm2 (comb w qs).
 
 (* (iv) *)
 Definition blend_is_long_by_axis : Prop := forall E (l : Lin R E) (H : Euclid E) (ps : list E) u (axis : E) (k : R),
@@ -263,14 +263,14 @@ Proof.
 Qed.
 Theorem blend_is_long_by_cosines_holds : blend_is_long_by_cosines.
 Proof.
-  intros E l H qs w c (L & P & S) U F C.
-  assert (G : c * (sum w * sum w) + (1 - c) * squares w <= norm2 (comb w qs)).
+  intros E l H qs w c d (L & P & S) U F C.
+  assert (G : c * (sum w * sum w) + (d - c) * squares w <= norm2 (comb w qs)).
   { unfold squares. clear S. revert w L P. induction F as [|q qs D F IH]; intros [|a w] L P; try discriminate; cbn [comb map].
     - rewrite norm2_zero. cbn. lra.
     - apply Forall_cons_iff in P as [A P]. apply Forall_cons_iff in U as [Uq U]. specialize (IH U w ltac:(auto) P).
       pose proof (dot_with_blend q qs w c ltac:(auto) P D) as B. rewrite !sum_cons. unfold Rsqr at 1.
       replace (norm2 (a *: q + comb w qs)) with (a * a * norm2 q + 2 * (a * dot q (comb w qs)) + norm2 (comb w qs)) by (dots; ring).
-      rewrite Uq. apply (Rmult_le_compat_l a) in B; [|exact A]. lra. }
+      apply (Rmult_le_compat_l (a * a)) in Uq; [|nra]. apply (Rmult_le_compat_l a) in B; [|exact A]. lra. }
   rewrite S in G. pose proof (squares_are_no_less w) as Q. rewrite S, L in Q.
   assert (N : 0 < INR (length qs)).
   { destruct qs; [|apply lt_0_INR; cbn [length]; lia]. destruct w; [cbn in S; lra|discriminate]. }
@@ -307,7 +307,7 @@ Proof.
   exists (fun _ => lzero), (fun _ => lzero). split; [apply derivative_constant|]. split; [apply derivative_constant|].
   intros t _. cbn [size speed acceleration]. repeat split; rewrite ?N, ?norm_zero; lra.
 Qed.
-Example cosines_instance : convex 2 [1 / 2; 1 / 2] /\ Forall (fun q : R => norm2 q = 1) [1; 1] /\
+Example cosines_instance : convex 2 [1 / 2; 1 / 2] /\ Forall (fun q : R => 1 <= norm2 q) [1; 1] /\
   ForallOrdPairs (fun p q : R => 1 <= dot p q) [1; 1].
 Proof.
   split; [repeat split; [repeat constructor; lra|cbn; lra]|]. split.

@@ -135,7 +135,7 @@ Checked report(const Misses& m) {
   char text[160];
   std::snprintf(text, sizeof text, "%ld of %ld vertices missed by rounding (%.1f %%), by at most %.1e of the coordinates' size",
                 m.missed, m.vertices, 100.0 * double(m.missed) / double(m.vertices), m.worst);
-  return Checked(m.worst <= 1e-12, m.vertices, text);
+  return Checked(m.vertices > 0 && m.worst <= 1e-12, m.vertices, text);
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ std::vector<Vec<double, D>> nearly_degenerate(std::mt19937_64& random, int n, do
 template <int D>
 void smallest_balls_are_certified(Suite& t, const std::string& space) {
   t.holds("the radius is within 1e-12 of the exact smallest ball's" + space,
-          {.number_type = "rational", .cases = 300, .degenerate_at_least = 0.5}, [] {
+          {.number_type = "rational", .cases = 300, .degenerate_at_least = 0.35}, [] {
             const auto cloud = *gen::cloud<D>(20);
             RC_CLASSIFY(gen::is_degenerate(cloud.shape), "degenerate");
             std::vector<Vec<double, D>> points;

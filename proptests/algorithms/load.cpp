@@ -132,16 +132,19 @@ template <class Check>
 Checked over_real_models(const Check& check) {
   bool passed = true;
   long used = 0;
-  std::string detail;
+  std::string detail, absent;
   for (const RealModel& m : real_models) {
     const std::string path = std::string("out/models/") + m.name;
-    if (!std::filesystem::exists(path)) continue;
+    if (!std::filesystem::exists(path)) {
+      absent += absent.empty() ? m.name : std::string(", ") + m.name;
+      continue;
+    }
     ++used;
     const std::string complaint = check(m, path);
     passed = passed && complaint.empty();
     detail += complaint.empty() ? "" : "; " + std::string(m.name) + ": " + complaint;
   }
-  if (used == 0) return Checked::skip("no models in out/models");
+  if (passed && !absent.empty()) return Checked::skip("not in out/models: " + absent);
   return {passed, used, std::to_string(used) + " of 7 real models" + detail};
 }
 

@@ -26,7 +26,7 @@ void properties(Suite& t) {
   t.holds(
       "in squared form the mean ball encloses its points, touches one, and is at most 2 - 2/m times as large as the smallest" +
           space,
-      {.number_type = "rational", .cases = 700, .degenerate_at_least = 0.5}, [] {
+      {.number_type = "rational", .cases = 700, .degenerate_at_least = 0.35}, [] {
         const auto cloud = *gen::cloud<D>(12);
         RC_CLASSIFY(gen::is_degenerate(cloud.shape), "degenerate");
         const std::span<const oracle::ExactPoint<D>> points(cloud.points);

@@ -20,7 +20,7 @@ using Balls = std::vector<Ball3<double>>;
 // Centers of any shape of cloud; radii that are 0, equal, or any; sometimes one that holds all others, or one twice.
 Balls draw(bool& degenerate) {
   const auto cloud = *gen::cloud<3>(12);
-  const int radii = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 5));
+  const int radii = *rc::gen::element(0, 0, 0, 0, 0, 0, 1, 2, 3, 4);
   degenerate = gen::is_degenerate(cloud.shape) || radii != 0;
   Balls out;
   for (const auto& p : cloud.points)

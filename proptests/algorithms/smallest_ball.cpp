@@ -19,7 +19,7 @@ template <int D>
 void exact_properties(Suite& t) {
   const std::string space = " in R^" + std::to_string(D);
   t.holds("a certificate proves the exact ball of 1 to 20 points" + space,
-          {.number_type = "rational", .cases = 700, .degenerate_at_least = 0.5}, [] {
+          {.number_type = "rational", .cases = 700, .degenerate_at_least = 0.35}, [] {
             const auto cloud = *gen::cloud<D>(20);
             RC_CLASSIFY(gen::is_degenerate(cloud.shape), "degenerate");
             const auto ball = smallest_ball<Rational, D>(cloud.points);
@@ -27,7 +27,7 @@ void exact_properties(Suite& t) {
             RC_ASSERT(oracle::certifies<D>(cloud.points, oracle::claim_of<D>(ball)));
           });
   t.holds("CGAL's exact solver finds the same center" + space,
-          {.number_type = "rational", .cases = 300, .degenerate_at_least = 0.5}, [] {
+          {.number_type = "rational", .cases = 300, .degenerate_at_least = 0.35}, [] {
             const auto cloud = *gen::cloud<D>(12);
             RC_CLASSIFY(gen::is_degenerate(cloud.shape), "degenerate");
             const auto ball = smallest_ball<Rational, D>(cloud.points);
@@ -36,26 +36,27 @@ void exact_properties(Suite& t) {
             const auto other = oracle::smallest_ball_by_cgal<D>(balls);
             for (int i = 0; i < D; ++i) RC_ASSERT(equals(other.center[i], ball.center[i]));
           });
-  t.holds("a changed certificate is rejected" + space, {.number_type = "rational", .cases = 500, .degenerate_at_least = 0.5}, [] {
-    const auto cloud = *gen::cloud<D>(12);
-    RC_CLASSIFY(gen::is_degenerate(cloud.shape), "degenerate");
-    const auto claim = oracle::claim_of<D>(smallest_ball<Rational, D>(cloud.points));
-    RC_ASSERT(oracle::certifies<D>(cloud.points, claim));
-    const auto rejects = [&](auto&& change) {
-      BallClaim<D> changed = claim;
-      change(changed);
-      return !oracle::certifies<D>(cloud.points, changed);
-    };
-    const Rational step = *gen::positive_rational();
-    const int i = *rc::gen::inRange(0, D), k = *rc::gen::inRange(0, static_cast<int>(claim.support.size()));
-    RC_ASSERT(rejects([&](auto& c) { c.center[i] += step; }));
-    RC_ASSERT(rejects([&](auto& c) { c.squared_radius += step; }));
-    RC_ASSERT(rejects([&](auto& c) { c.squared_radius -= step; }));
-    RC_ASSERT(rejects([&](auto& c) { c.coefficients[k] += step; }));
-    RC_ASSERT(rejects([&](auto& c) { c.support[k] = static_cast<int>(cloud.points.size()); }));
-    RC_ASSERT(rejects([&](auto& c) { c.coefficients.pop_back(), c.support.pop_back(); }) ||
-              claim.coefficients.back() == Rational(0));
-  });
+  t.holds("a changed certificate is rejected" + space, {.number_type = "rational", .cases = 500, .degenerate_at_least = 0.35},
+          [] {
+            const auto cloud = *gen::cloud<D>(12);
+            RC_CLASSIFY(gen::is_degenerate(cloud.shape), "degenerate");
+            const auto claim = oracle::claim_of<D>(smallest_ball<Rational, D>(cloud.points));
+            RC_ASSERT(oracle::certifies<D>(cloud.points, claim));
+            const auto rejects = [&](auto&& change) {
+              BallClaim<D> changed = claim;
+              change(changed);
+              return !oracle::certifies<D>(cloud.points, changed);
+            };
+            const Rational step = *gen::positive_rational();
+            const int i = *rc::gen::inRange(0, D), k = *rc::gen::inRange(0, static_cast<int>(claim.support.size()));
+            RC_ASSERT(rejects([&](auto& c) { c.center[i] += step; }));
+            RC_ASSERT(rejects([&](auto& c) { c.squared_radius += step; }));
+            RC_ASSERT(rejects([&](auto& c) { c.squared_radius -= step; }));
+            RC_ASSERT(rejects([&](auto& c) { c.coefficients[k] += step; }));
+            RC_ASSERT(rejects([&](auto& c) { c.support[k] = static_cast<int>(cloud.points.size()); }));
+            RC_ASSERT(rejects([&](auto& c) { c.coefficients.pop_back(), c.support.pop_back(); }) ||
+                      claim.coefficients.back() == Rational(0));
+          });
 }
 
 // The squared radius of the ball as the exact maximum over the points, and a lower bound of what is possible.
@@ -85,7 +86,7 @@ template <int D>
 void double_properties(Suite& t) {
   const std::string space = " in R^" + std::to_string(D);
   t.holds("in double the radius is within 1e-9 of a proved lower bound" + space,
-          {.number_type = "double", .cases = 700, .degenerate_at_least = 0.5}, [] {
+          {.number_type = "double", .cases = 700, .degenerate_at_least = 0.35}, [] {
             const auto cloud = *gen::cloud<D>(20);
             RC_CLASSIFY(gen::is_degenerate(cloud.shape), "degenerate");
             std::vector<Vec<double, D>> points;

@@ -43,7 +43,7 @@ PROPTEST(subdivide) {
   t.holds(
       "every triangle becomes four of a quarter of its area that face its way, its corners at corners and edges' "
       "middles",
-      {.cases = 300, .degenerate_at_least = 0.4}, [] {
+      {.cases = 300, .degenerate_at_least = 0.3}, [] {
         const auto plan = *gen::mesh_plan();
         RC_CLASSIFY(is_degenerate(plan), "degenerate");
         const Model m{make_mesh(plan)}, fine = subdivide(m);
@@ -66,7 +66,7 @@ PROPTEST(subdivide) {
       });
 
   t.holds("the model's vertices come first and unchanged, and there is one more for each edge",
-          {.cases = 300, .degenerate_at_least = 0.4}, [] {
+          {.cases = 300, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(is_degenerate(plan), "degenerate");
             const Model m{make_mesh(plan)}, fine = subdivide(m);
@@ -80,7 +80,7 @@ PROPTEST(subdivide) {
           });
 
   t.holds("a middle has the mean of its ends' weights, the four largest in their proportions",
-          {.cases = 300, .degenerate_at_least = 0.4}, [] {
+          {.cases = 300, .degenerate_at_least = 0.3}, [] {
             const auto plan = *gen::mesh_plan();
             RC_CLASSIFY(is_degenerate(plan), "degenerate");
             const Model m{make_mesh(plan)}, fine = subdivide(m);

@@ -63,7 +63,7 @@ rc::Gen<std::vector<RationalVec<D>>> points(Shape shape, int n) {
 template <int D>
 rc::Gen<Cloud<D>> cloud(int most) {
   const auto full_range = [](int low, int high) { return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); };
-  return rc::gen::mapcat(rc::gen::pair(full_range(0, shape_count + 2), full_range(1, most + 1)), [](const auto& choice) {
+  return rc::gen::mapcat(rc::gen::pair(full_range(0, shape_count + 5), full_range(1, most + 1)), [](const auto& choice) {
     const Shape shape = choice.first < shape_count ? static_cast<Shape>(choice.first) : Shape::general;
     return rc::gen::map(points<D>(shape, choice.second), [shape](const auto& p) { return Cloud<D>{shape, p}; });
   });

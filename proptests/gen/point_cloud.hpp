@@ -20,7 +20,7 @@ struct Cloud {
   std::vector<RationalVec<D>> points;
 };
 
-// 1 to most points for D = 2, 3, 4. A third is in general position, the other shapes are equally frequent; shrinks towards fewer and simpler points.
+// 1 to most points for D = 2, 3, 4. Half of them are in general position, the other shapes are equally frequent; shrinks towards fewer and simpler points.
 template <int D>
 rc::Gen<Cloud<D>> cloud(int most);
 

@@ -15,7 +15,7 @@ rc::Gen<MeshPlan> mesh_plan() {
       [](int kind, int rings, int sides, int joints, unsigned seed) {
         return MeshPlan{kind < mesh_kind_count ? static_cast<MeshKind>(kind) : MeshKind::tube, rings, sides, joints, seed};
       },
-      full(0, mesh_kind_count + 1), full(2, 13), full(3, 9), full(1, 5), rc::gen::arbitrary<unsigned>());
+      full(0, mesh_kind_count + 5), full(2, 13), full(3, 9), full(1, 5), rc::gen::arbitrary<unsigned>());
 }
 
 SkinnedMesh make_mesh(const MeshPlan& plan) {

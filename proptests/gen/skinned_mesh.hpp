@@ -17,7 +17,7 @@ struct MeshPlan {
   unsigned seed;             // of positions and weights
 };
 
-// Up to 12 rings of up to 8 vertices; a fourth are plain tubes.
+// Up to 12 rings of up to 8 vertices; more than half are plain tubes.
 rc::Gen<MeshPlan> mesh_plan();
 
 // A valid model without clips. With many_influences the weights spread over eight joints, more than can be enumerated.

@@ -11,6 +11,7 @@
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "algorithms/runtime/packs/float_above.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
+#include "lemmas/c6_interval_hull.hpp"
 
 namespace refitlab {
 namespace {
@@ -226,7 +227,8 @@ class Search {
 
   Values above(const Cell& cell) const {
     Values above = cell.at_corners;
-    for (std::size_t i = 0; i < above.size(); ++i) above[i] += functions_.scales()[i] * (cell.chord + cell.error);
+    for (std::size_t i = 0; i < above.size(); ++i)
+      above[i] = greatest_over_interval(above[i], functions_.scales()[i], cell.chord + cell.error);
     return above;
   }
 

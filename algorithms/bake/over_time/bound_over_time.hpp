@@ -12,7 +12,7 @@
 
 #include "algorithms/bake/over_time/moving_vertices.hpp"
 #include "algorithms/runtime/balls/box.hpp"
-#include "lemmas/c6_interval_hull.hpp"
+#include "lemmas/vocabulary/slab.hpp"
 #include "lemmas/vocabulary/sphere.hpp"
 
 namespace refitlab {

@@ -9,6 +9,7 @@
 
 #include "algorithms/bake/over_time/half_turns.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
+#include "lemmas/c4_chain_motion.hpp"
 #include "lemmas/c7_crossfade.hpp"
 
 namespace refitlab {

@@ -14,6 +14,7 @@
 #include "algorithms/bake/over_time/moving_joints.hpp"
 #include "algorithms/bake/over_time/node_motions.hpp"
 #include "algorithms/runtime/skinning/rotation_blend.hpp"
+#include "lemmas/c4_chain_motion.hpp"
 
 namespace refitlab {
 

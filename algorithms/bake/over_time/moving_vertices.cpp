@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -17,6 +16,9 @@
 #include "algorithms/runtime/skinning/rotation_center.hpp"
 #include "lemmas/a3_morph_displacement.hpp"
 #include "lemmas/b7_motion_bound.hpp"
+#include "lemmas/c1_chord_bound.hpp"
+#include "lemmas/c3_normalized_motion.hpp"
+#include "lemmas/c4_chain_motion.hpp"
 #include "lemmas/c5_skinned_motion.hpp"
 #include "lemmas/c6_interval_hull.hpp"
 
@@ -60,8 +62,6 @@ double chord_within(const Motion<double>& motion, double side) {
   const double chord = chord_slack(motion, side);
   return chord >= 0 ? chord : simple;
 }
-
-double sum_of(const std::vector<double>& numbers) { return std::accumulate(numbers.begin(), numbers.end(), 0.0); }
 
 int depth_of(const std::vector<SceneNode>& nodes, int node) {
   int depth = 0;
@@ -226,14 +226,14 @@ CellSlack MovingVertices::slack(const JointCell& cell, Finite finite) const {
   if (skinning_ != Skinning::spherical) {
     for (const Set& set : sets_) {
       const std::vector<double> chords = is_blended(set) ? dual_chords(set, cell) : linear_chords(set, cell);
-      raise(chords, is_blended(set) ? sum_of(chords) : std::min(sum_of(chords), widest_chord(set, cell)));
+      raise(chords, is_blended(set) ? box_slack<double>(chords) : std::min(box_slack<double>(chords), widest_chord(set, cell)));
     }
     if (out.chord < unknown || finite == Finite::may_be) return out;
   }
   out = {Followed::linear_blend, 0, std::vector<double>(cell.sides.size(), 0), std::vector<double>(vertices_.size(), 0)};
   for (const Set& set : sets_) {
     const std::vector<double> chords = linear_chords(set, cell);
-    const double sum = std::min(sum_of(chords), widest_chord(set, cell));
+    const double sum = std::min(box_slack<double>(chords), widest_chord(set, cell));
     raise(chords, !is_blended(set) || deviate(set, cell, finite, sum, out.beyond) ? sum : unknown);
   }
   return out;

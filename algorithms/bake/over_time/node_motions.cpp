@@ -10,7 +10,10 @@
 
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "lemmas/a1_affine_image.hpp"
+#include "lemmas/c1_chord_bound.hpp"
+#include "lemmas/c2_channel_motion.hpp"
 #include "lemmas/c3_normalized_motion.hpp"
+#include "lemmas/c4_chain_motion.hpp"
 
 namespace refitlab {
 namespace {

@@ -9,6 +9,7 @@
 #include "algorithms/runtime/packs/pack.hpp"
 #include "algorithms/runtime/packs/transpose.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
+#include "lemmas/rotation_bound.hpp"
 
 namespace refitlab::REFITLAB_TARGET {
 namespace {

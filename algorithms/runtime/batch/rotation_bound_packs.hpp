@@ -3,6 +3,7 @@
 #pragma once
 
 #include "algorithms/runtime/packs/pack.hpp"
+#include "lemmas/lemma4_quaternion_hull.hpp"
 #include "lemmas/rotation_bound.hpp"
 
 namespace refitlab {
@@ -17,7 +18,7 @@ RotationBound<std::experimental::simd<T, Abi>> bound_rotations_packs(
   const S s2 = squared_half_chord(unit, apex);
   RotationBound<S> bound = bound_of_cap(apex, s2);
   const RotationBound<S> any = all_rotations<S>();
-  const auto is_any = !(s2 < S(T(0.5)));  // true for a NaN
+  const auto is_any = !(s2 < S(T(squared_half_chord_of_half_sphere)));  // true for a NaN
   bound.center_ratio = choose(is_any, any.center_ratio, bound.center_ratio);
   bound.radius_ratio = choose(is_any, any.radius_ratio, bound.radius_ratio);
   bound.apex = choose(is_any, any.apex, bound.apex);

@@ -11,7 +11,7 @@
 #include "algorithms/runtime/refit/frame_stamps.hpp"
 #include "algorithms/runtime/skinning/deformation.hpp"
 #include "algorithms/runtime/tree/character.hpp"
-#include "lemmas/c6_interval_hull.hpp"
+#include "lemmas/vocabulary/slab.hpp"
 
 namespace refitlab {
 

@@ -53,6 +53,7 @@
 
 #include "lemmas/a1_affine_image.hpp"
 #include "lemmas/b8_blend_error.hpp"
+#include "lemmas/c3_normalized_motion.hpp"
 #include "lemmas/vocabulary/nonzero.hpp"
 #include "lemmas/vocabulary/rigid.hpp"
 
@@ -79,7 +80,7 @@ S stretch_of(const AffineMap<S>& map) {
 }
 
 // Measures the scales. Let d be the least ||q_i||^2, and c the least (q_i, q_j) of all pairs, or d if that is less. Then
-//   ||sum w_i q_i||^2 >= d sum w_i^2 + c (1 - sum w_i^2) >= c + (d - c) / n.
+// c3_normalized_motion says how long blends are at least.
 // kappa is no greater than for a squared length of half of least_squared_length. Blends at weight vertices are no shorter than least_squared_length says. Between such that are 60 degrees apart at most, and in caps of
 // up to 45 degrees, they are shorter by sqrt(1/2) at most.
 template <class S>
@@ -98,7 +99,7 @@ PaletteScales<S> measure_palette(std::span<const RigidTransform<S>> transforms, 
   for (const Vec<S, 3>& c : center_images) image = max_of(image, squared_norm(c));
   dot_product = min_of(dot_product, shortest);
   const S n(static_cast<double>(transforms.size()));
-  const S squared_blend = max_of(S(dot_product + (shortest - dot_product) / n - rounding), S(least_squared_length<S>() / 2));
+  const S squared_blend = max_of(S(least_squared_blend(dot_product, n, shortest) - rounding), S(least_squared_length<S>() / 2));
   // Quaternions are no longer than 1 + defect, and computed blends shorter by n u at most.
   const S off = defect + rounding,
           longer = (S(1) + off) * (S(1) + n * S(std::numeric_limits<S>::epsilon()) / root(squared_blend));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "experiments/explorer/pages/page.hpp"
+#include "lemmas/lemma1_cap_definitions.hpp"
 #include "lemmas/lemma3_sphere_surface_intersection.hpp"
 
 namespace refitlab::explorer {

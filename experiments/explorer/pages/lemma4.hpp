@@ -4,6 +4,8 @@
 
 #include "algorithms/runtime/balls/mean_ball.hpp"
 #include "experiments/explorer/pages/page.hpp"
+#include "lemmas/lemma2_normalization.hpp"
+#include "lemmas/lemma3_sphere_surface_intersection.hpp"
 #include "lemmas/lemma4_quaternion_hull.hpp"
 
 namespace refitlab::explorer {

@@ -5,6 +5,7 @@
 
 #include "algorithms/runtime/balls/mean_ball.hpp"
 #include "experiments/explorer/pages/page.hpp"
+#include "lemmas/lemma3_sphere_surface_intersection.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 #include "lemmas/s43_whole_sphere_fallback.hpp"
 
