@@ -2,6 +2,7 @@
 // Vertices displaced by morph targets.
 #include "lemmas/a3_morph_displacement.hpp"
 
+#include "lemmas/c6_interval_hull.hpp"
 #include "proptests/counterexamples/a3_morph_displacement.hpp"
 #include "proptests/gen/curves.hpp"
 #include "proptests/gen/weakening.hpp"
