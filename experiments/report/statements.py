@@ -120,7 +120,7 @@ def cells(statement, code, plain):
     proofs += ["Not proved: " + plain(note) for note in statement.unproved]
     runs = [name.removeprefix("algorithms/") for name in statement.programs]
     run_by = [names(runs)] if runs else []
-    if statement.through and all(name.startswith("methods/") for name in runs):  # which are compared and not shipped
+    if statement.through and all(name.startswith(("methods/", "experiments/")) for name in runs):  # which are compared or drawn, not shipped
         run_by.append("by way of " + names(statement.through))
     return tests, proofs, "; ".join(run_by) or "no program"
 
