@@ -230,7 +230,7 @@ void crossfades_are_bounded_and_hardly_more(Suite& t) {
             RC_ASSERT(excess <= 0);
           });
   t.example("what a joint of the least share moves is bounded by the way of that joint, as closely as 65536 cells can", {}, [] {
-    gen::AnimatedPlan plan;  // three quarters of a vertex stay where they are, and 2e-6 of it go 5 units
+    gen::AnimatedPlan plan;  // all of a vertex stays where it is, but 2e-6 of it, which go 5 units
     plan.nodes = plan.joints = 4, plan.vertices = 1, plan.smooth = plan.cubic = true, plan.seed = 674693182;
     const auto [hardly_moves, excess] = closeness(plan, RotationBlend::slerp);
     return Checked(hardly_moves && excess <= 0, 1, std::to_string(excess));

@@ -101,8 +101,7 @@ class SphericalPiece {
  public:
   using Number = S;
   using WeightVertex = BlendedJoints<S>;
-  static constexpr double near =
-      near_of_degree_three;  // less than 120 degrees of rotation apart, 60 degrees between the quaternions
+  static constexpr double near = near_of_degree_three;
 
   // x is p - r_c, and radius is that of the reference ball.
   SphericalPiece(const Vec<S, 3>& x, const S& radius) : x_(x), radius_(radius) {}

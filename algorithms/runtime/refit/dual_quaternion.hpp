@@ -45,8 +45,7 @@ class DualQuaternionPiece {
  public:
   using Number = S;
   using WeightVertex = BlendedDuals<S>;
-  static constexpr double near =
-      near_of_degree_two;  // less than 90 degrees of rotation apart, 45 degrees between the quaternions
+  static constexpr double near = near_of_degree_two;
 
   // point is p, and radius is that of the reference ball. For rounding there are the number of joints, and translation, which is at
   // least the length of every joint's translation.
