@@ -31,11 +31,6 @@
 
 namespace refitlab {
 
-template <class S>
-S absolute(const S& x) {
-  return max_of(x, S(-x));
-}
-
 // Returns s^2.
 template <class S>
 S squared_stretch(const AffineMap<S>& map) {
@@ -54,6 +49,12 @@ SquaredBall<S, 3> image_of_ball(const AffineMap<S>& map, const SquaredBall<S, 3>
   return {apply(map, ball.center), squared_stretch(map) * ball.squared_radius};
 }
 
+// Returns the half extent along an axis of the image of a box with these half extents. row is that of A for the axis.
+template <class S>
+S image_half_extent(const Vec<S, 3>& row, const Vec<S, 3>& half) {
+  return absolute<S>(row[0]) * half[0] + absolute<S>(row[1]) * half[1] + absolute<S>(row[2]) * half[2];
+}
+
 // A box is given by its center and its half extents.
 template <class S>
 struct HalfBox {
@@ -63,9 +64,9 @@ struct HalfBox {
 // Returns the box of (ii).
 template <class S>
 HalfBox<S> image_of_box(const AffineMap<S>& map, const HalfBox<S>& box) {
-  HalfBox<S> out{apply(map, box.center), Vec<S, 3>::Constant(S(0))};
+  HalfBox<S> out{apply(map, box.center), box.half};
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) out.half[i] = out.half[i] + absolute<S>(map.columns[j][i]) * box.half[j];
+    out.half[i] = image_half_extent<S>({map.columns[0][i], map.columns[1][i], map.columns[2][i]}, box.half);
   return out;
 }
 
@@ -186,5 +187,7 @@ Verdict ball_is_carried_rigidly(const AffineMap<S>& map, const SquaredBall<S, 3>
 
 // Sources: none.
 // Used by: a2_two_phase_skinning, a3_morph_displacement; algorithms/bake/over_time/node_motions.cpp,
-// algorithms/certificate/bound.cpp, algorithms/runtime/collide/affine_boxes.cpp, algorithms/runtime/refit/linear.hpp,
-// algorithms/runtime/skinning/palette_rounding.hpp, experiments/drawings/motion.cpp.
+// algorithms/certificate/bound.cpp, algorithms/runtime/collide/affine_boxes.cpp,
+// algorithms/runtime/collide/motion_bound_piece_kernel.cpp, algorithms/runtime/refit/linear.hpp,
+// algorithms/runtime/skinning/palette_rounding.hpp, experiments/drawings/motion.cpp,
+// experiments/engines/joint_kernel.cpp.

@@ -145,6 +145,5 @@ Verdict radius_below_one_is_needed_printed(const SquaredBall<S, D>& ball) {
 }  // namespace refitlab
 
 // Sources: the paper.
-// Used by: rotation_bound; algorithms/methods/refit/algorithm1_printed.hpp,
-// algorithms/runtime/batch/rotation_bound_packs.hpp, experiments/drawings/common.hpp,
+// Used by: rotation_bound; algorithms/methods/refit/algorithm1_printed.hpp, experiments/drawings/common.hpp,
 // experiments/explorer/pages/lemma4.hpp.

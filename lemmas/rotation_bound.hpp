@@ -54,14 +54,16 @@ S squared_half_chord(std::span<const Quaternion<S>> unit, const Quaternion<S>& a
 }
 
 // unit has quaternions of unit length. direction has any length, and should be in their middle. If the cap would be a
-// half-sphere of S_3 or more, or if direction cannot be told from zero, the bound allows all rotations.
+// half-sphere of S_3 or more, or if direction cannot be told from zero, the bound allows all rotations, as bound_of_cap does of a
+// half-sphere. Packs take the same steps in each lane.
 template <class S>
 RotationBound<S> bound_rotations(std::span<const Quaternion<S>> unit, const Quaternion<S>& direction) {
-  const S squared_length = squared_norm(direction);
-  if (!is_certainly_nonzero(squared_length)) return all_rotations<S>();
-  const Quaternion<S> apex = direction / root(squared_length);
+  const S squared_length = squared_norm(direction), half_sphere = constant<S>(squared_half_chord_of_half_sphere);
+  const auto is_nonzero = is_certainly_nonzero(squared_length);
+  const Quaternion<S> apex = direction / root(choose(is_nonzero, squared_length, S(1)));
   const S s2 = squared_half_chord(unit, apex);
-  return certainly_less(s2, S(squared_half_chord_of_half_sphere)) ? bound_of_cap(apex, s2) : all_rotations<S>();
+  const auto is_cap = is_nonzero && certainly_less(s2, half_sphere);
+  return bound_of_cap<S>(choose(is_cap, apex, identity_quaternion<S>()), choose(is_cap, s2, half_sphere));
 }
 
 // Returns the ball that holds R_q x for every non-zero q in the hull. These are lines 14 and 15, without r'_k.
@@ -73,6 +75,5 @@ Ball3<S> rotated_ball(const RotationBound<S>& bound, const Vec<S, 3>& x) {
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: algorithms/runtime/batch/refit_kernel.cpp, algorithms/runtime/batch/rotation_bound_packs.hpp,
-// algorithms/runtime/refit/algorithm1_repaired.hpp, algorithms/runtime/refit/control_hull.hpp,
-// experiments/drawings/one_cap.cpp.
+// Used by: algorithms/runtime/batch/refit_kernel.cpp, algorithms/runtime/refit/algorithm1_repaired.hpp,
+// algorithms/runtime/refit/control_hull.hpp, experiments/drawings/one_cap.cpp.

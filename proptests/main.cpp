@@ -13,11 +13,11 @@
 #include "algorithms/results/write_whole.hpp"
 #include "proptests/cases/case_file.hpp"
 #include "proptests/cases/pinned_inputs.hpp"
-#include "proptests/error_list.hpp"
-#include "proptests/session.hpp"
-#include "proptests/thrown.hpp"
-#include "proptests/verdict_table.hpp"
-#include "proptests/workers.hpp"
+#include "proptests/harness/error_list.hpp"
+#include "proptests/harness/session.hpp"
+#include "proptests/harness/thrown.hpp"
+#include "proptests/harness/verdict_table.hpp"
+#include "proptests/harness/workers.hpp"
 
 namespace {
 

@@ -2,6 +2,7 @@
 #include "experiments/engines/joint_kernel.hpp"
 
 #include "algorithms/runtime/collide/motion_bound_lanes.hpp"
+#include "lemmas/a1_affine_image.hpp"
 
 namespace refitlab::REFITLAB_TARGET {
 namespace {
@@ -17,26 +18,23 @@ constexpr int block_lanes = motion_bound_lanes;  // joints of a block
   return __builtin_bit_cast(S, row);
 }
 
-// Of some joints of a block, of which the numbers' first one is given: row `row` of their matrices, with the translation behind.
-struct MatrixRow {
-  S x, y, z, t;
-
-  [[gnu::always_inline]] MatrixRow(const float* matrices, int row)
-      : x(load_once(matrices + (4 * row + 0) * block_lanes)),
-        y(load_once(matrices + (4 * row + 1) * block_lanes)),
-        z(load_once(matrices + (4 * row + 2) * block_lanes)),
-        t(load(matrices + (4 * row + 3) * block_lanes)) {}
-  [[gnu::always_inline]] S image(const Point& p) const { return x * p[0] + (y * p[1] + (z * p[2] + t)); }
-  [[gnu::always_inline]] S extent(const Point& h, const S& radius) const {
-    return abs(x) * h[0] + (abs(y) * h[1] + (abs(z) * h[2] + radius));
-  }
-  [[gnu::always_inline]] S extent(const Point& h) const { return abs(x) * h[0] + (abs(y) * h[1] + abs(z) * h[2]); }
-};
-
 [[gnu::always_inline]] inline Point load_row(const float* numbers, int number) {
   return {load_once(numbers + number * block_lanes), load_once(numbers + (number + 1) * block_lanes),
           load_once(numbers + (number + 2) * block_lanes)};
 }
+
+// MatrixRow is row i of the matrices of some joints of a block, with the translation behind. matrices are the block's numbers from
+// that of the first of these joints on.
+struct MatrixRow {
+  Point row;
+  S translation;
+
+  [[gnu::always_inline]] MatrixRow(const float* matrices, int i)
+      : row(load_row(matrices, 4 * i)),
+        translation(load(matrices + (4 * i + 3) * block_lanes)) {}
+  [[gnu::always_inline]] S image(const Point& p) const { return dot(row, p) + translation; }
+  [[gnu::always_inline]] S extent(const Point& half) const { return image_half_extent(row, half); }
+};
 
 using Four = Row<float, 4>;
 
@@ -89,14 +87,13 @@ REFITLAB_KERNEL void make_matrices(const double* pose, int joint_count, float* s
   joints.read(pose);
   for (int first = 0; first < blocks * block_lanes; first += width) {
     const Transform joint = joints.lanes(first);
-    const S w = joint.rotation[0], x = joint.rotation[1], y = joint.rotation[2], z = joint.rotation[3];
-    const S xx = (x + x) * x, yy = (y + y) * y, zz = (z + z) * z, xy = (x + x) * y, xz = (x + x) * z, yz = (y + y) * z,
-            wx = (w + w) * x, wy = (w + w) * y, wz = (w + w) * z, one(1.f);
-    const S numbers[matrix_numbers] = {one - yy - zz, xy - wz,       xz + wy,       joint.translation[0],
-                                       xy + wz,       one - xx - zz, yz - wx,       joint.translation[1],
-                                       xz - wy,       yz + wx,       one - xx - yy, joint.translation[2]};
+    const std::array<Point, 3> rows = rotation_rows(joint.rotation);
     float* to = matrices + first / block_lanes * matrix_numbers * block_lanes + first % block_lanes;
-    for (int i = 0; i < matrix_numbers; ++i) numbers[i].copy_to(to + i * block_lanes, std::experimental::vector_aligned);
+    const auto put = [&](const S& number) { number.copy_to(to, std::experimental::vector_aligned), to += block_lanes; };
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) put(rows[i][k]);
+      put(joint.translation[i]);
+    }
   }
 }
 
@@ -135,7 +132,7 @@ REFITLAB_KERNEL void merge_rounded_boxes(const float* matrices, const float* box
         } else {
           const Point half = load_row(box, 3);
           merge_about(
-              some, box, merge, [&](const MatrixRow& row) __attribute__((always_inline)) { return row.extent(half, radius); });
+              some, box, merge, [&](const MatrixRow& row) __attribute__((always_inline)) { return row.extent(half) + radius; });
         }
       });
 }

@@ -32,9 +32,8 @@ SOURCES = {
     "variants": [*RUN, *QUERIES, "experiments/catalogue", "experiments/tightness"],
     "run": [*RUN, "experiments/render", "experiments/pictures"],
     "verdicts": ["CMakeLists.txt", "lemmas", "algorithms", "proptests/CMakeLists.txt", "proptests/main.cpp",
-                 "proptests/harness.cpp", "proptests/harness.hpp", "proptests/session.cpp", "proptests/session.hpp",
-                 "proptests/verdict_table.cpp", "proptests/lemmas", "proptests/algorithms", "proptests/gen",
-                 "proptests/oracles", "proptests/counterexamples", "proptests/cases"],
+                 "proptests/harness", "proptests/lemmas", "proptests/algorithms", "proptests/gen",
+                 "proptests/oracles", "proptests/refits", "proptests/counterexamples", "proptests/cases"],
 }
 
 

@@ -12,15 +12,16 @@ namespace refitlab {
 // rounding. Exact numbers and intervals know.
 template <class S>
 constexpr double least_squared_length() {
-  if constexpr (std::is_same_v<S, double>) return 0x1p-40;
+  if constexpr (HasLanes<S>) return least_squared_length<typename NumberTraits<S>::Lane>();
+  else if constexpr (std::is_same_v<S, double>) return 0x1p-40;
   else if constexpr (std::is_same_v<S, float>) return 0x1p-16;
   else return 0;
 }
 
-// Returns whether a quaternion of this squared length is a rotation beyond doubt.
+// Returns whether a quaternion of this squared length is a rotation beyond doubt, for packs by lane.
 template <class S>
-bool is_certainly_nonzero(const S& squared_length) {
-  return certainly_less(S(least_squared_length<S>()), squared_length);
+auto is_certainly_nonzero(const S& squared_length) {
+  return certainly_less(constant<S>(least_squared_length<S>()), squared_length);
 }
 
 }  // namespace refitlab

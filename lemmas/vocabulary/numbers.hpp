@@ -31,6 +31,18 @@ struct NumberTraits {
   static bool prefer_less(const S& a, const S& b) { return a < b; }
 };
 
+// A pack of numbers (algorithms/runtime/packs/pack.hpp) names the type of its numbers NumberTraits<S>::Lane.
+template <class S>
+concept HasLanes = requires {
+  typename NumberTraits<S>::Lane;
+};
+
+// Returns a number that float has exactly.
+template <class S>
+S constant(double x) {
+  if constexpr (HasLanes<S>) return S(typename NumberTraits<S>::Lane(x));
+  else return S(x);
+}
 template <class S>
 S sq(const S& x) {
   return NumberTraits<S>::square(x);
@@ -46,6 +58,11 @@ S max_of(const S& a, const S& b) {
 template <class S>
 S min_of(const S& a, const S& b) {
   return NumberTraits<S>::min(a, b);
+}
+template <class S>
+S absolute(const S& x) {
+  if constexpr (requires { NumberTraits<S>::absolute(x); }) return NumberTraits<S>::absolute(x);
+  else return max_of(x, S(-x));
 }
 // Returns the first or the second number by a comparison's answer, which is a bool or a mask of lanes
 // (algorithms/runtime/packs/pack.hpp).
@@ -75,10 +92,12 @@ bool prefer_less(const S& a, const S& b) {
   return NumberTraits<S>::prefer_less(a, b);
 }
 
-// Returns true only if a < b is beyond doubt in S, which for intervals means for all of their members. It is false for a NaN.
+// Returns true only if a < b is beyond doubt in S, which for intervals means for all of their members. It is false for a NaN. Packs
+// get an answer for each lane.
 template <class S>
-bool certainly_less(const S& a, const S& b) {
-  return less(a, b) == Verdict::holds;
+auto certainly_less(const S& a, const S& b) {
+  if constexpr (HasLanes<S>) return a < b;
+  else return less(a, b) == Verdict::holds;
 }
 
 }  // namespace refitlab

@@ -5,6 +5,8 @@
 // k q with k != 0 are the same rotation, but q and -q blend differently.
 #pragma once
 
+#include <array>
+
 #include "lemmas/vocabulary/vector.hpp"
 
 namespace refitlab {
@@ -45,13 +47,30 @@ Vec<S, 3> rotate_scaled(const Quaternion<S>& q, const Vec<S, 3>& x) {
           keep * x[2] + along * v[2] + twice_w * turn[2]};
 }
 
-// Returns the rotated x for a unit q (QUAT2MATRIX of Algorithm 1, applied to x).
+// Returns R_q x - x, by which the rotation of q displaces x. scale is 2 / ||q||^2, so q has any length but 0.
 template <class S>
-Vec<S, 3> rotate(const Quaternion<S>& unit, const Vec<S, 3>& x) {
-  const Vec<S, 3> v = imaginary(unit);
+Vec<S, 3> rotation_displacement(const Quaternion<S>& q, const S& scale, const Vec<S, 3>& x) {
+  const Vec<S, 3> v = imaginary(q);
   const Vec<S, 3> t = cross(v, x);
   const Vec<S, 3> tt = cross(v, t);
-  return {x[0] + S(2) * (unit[0] * t[0] + tt[0]), x[1] + S(2) * (unit[0] * t[1] + tt[1]), x[2] + S(2) * (unit[0] * t[2] + tt[2])};
+  return {scale * (q[0] * t[0] + tt[0]), scale * (q[0] * t[1] + tt[1]), scale * (q[0] * t[2] + tt[2])};
+}
+
+// Returns the rotated x for a unit q.
+template <class S>
+Vec<S, 3> rotate(const Quaternion<S>& unit, const Vec<S, 3>& x) {
+  const Vec<S, 3> displacement = rotation_displacement(unit, S(2), x);
+  return {x[0] + displacement[0], x[1] + displacement[1], x[2] + displacement[2]};
+}
+
+// Returns the rows of the rotation's matrix for a unit q (QUAT2MATRIX of Algorithm 1).
+template <class S>
+std::array<Vec<S, 3>, 3> rotation_rows(const Quaternion<S>& unit) {
+  const S x = unit[1] + unit[1], y = unit[2] + unit[2], z = unit[3] + unit[3];
+  const S wx = unit[0] * x, wy = unit[0] * y, wz = unit[0] * z;
+  const S xx = unit[1] * x, xy = unit[1] * y, xz = unit[1] * z, yy = unit[2] * y, yz = unit[2] * z, zz = unit[3] * z;
+  return {Vec<S, 3>(S(1) - (yy + zz), xy - wz, xz + wy), Vec<S, 3>(xy + wz, S(1) - (xx + zz), yz - wx),
+          Vec<S, 3>(xz - wy, yz + wx, S(1) - (xx + yy))};
 }
 
 }  // namespace refitlab

@@ -3,7 +3,7 @@
 #include "algorithms/methods/volumes/aabb.hpp"
 
 #include "proptests/gen/ball_lists.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_aabb {
 namespace {

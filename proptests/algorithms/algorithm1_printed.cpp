@@ -10,8 +10,8 @@
 #include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 #include "proptests/counterexamples/algorithm1.hpp"
 #include "proptests/gen/skinned_samples.hpp"
-#include "proptests/harness.hpp"
-#include "proptests/oracles/refit_ladder.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/refits/refit_ladder.hpp"
 
 namespace proptests::suite_algorithm1_printed {
 namespace {

@@ -3,8 +3,8 @@
 #include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 
 #include "proptests/gen/skinned_samples.hpp"
-#include "proptests/harness.hpp"
-#include "proptests/oracles/refit_ladder.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/refits/refit_ladder.hpp"
 
 namespace proptests::suite_algorithm1_repaired {
 namespace {

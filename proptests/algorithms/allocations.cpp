@@ -12,7 +12,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_allocations {
 namespace {

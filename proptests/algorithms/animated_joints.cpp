@@ -6,7 +6,7 @@
 #include <random>
 
 #include "proptests/gen/animated_model.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
 
 namespace proptests::suite_animated_joints {

@@ -13,7 +13,7 @@
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/animated_model.hpp"
 #include "proptests/gen/model_of_nodes.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_any_pose {
 namespace {

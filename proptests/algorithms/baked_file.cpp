@@ -7,7 +7,7 @@
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/tree/character_file.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_baked_file {
 namespace {

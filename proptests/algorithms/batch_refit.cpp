@@ -16,7 +16,7 @@
 #include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/wide_models.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_batch_refit {
 namespace {

@@ -5,7 +5,7 @@
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/rigid.hpp"
 #include "proptests/gen/weights.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
 
 namespace proptests::suite_blend {

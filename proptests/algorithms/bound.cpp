@@ -8,7 +8,7 @@
 
 #include "algorithms/runtime/refit/control_hull.hpp"
 #include "proptests/gen/skinned_piece.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/bounds.hpp"
 
 namespace proptests::suite_bound {

@@ -13,7 +13,7 @@
 #include "algorithms/runtime/collide/placement.hpp"
 #include "algorithms/runtime/skinning/palette_rounding.hpp"
 #include "lemmas/a1_affine_image.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/cap_budget.hpp"
 #include "proptests/oracles/derived_budgets.hpp"
 #include "proptests/oracles/norm_budget.hpp"
@@ -115,7 +115,7 @@ double image_by_matrix(const RigidTransform<Budget>& joint, const Vec<Budget, 3>
   const Budget q = whole(joint.rotation), v = whole(f);
   const double of_quaternion = 2 * (2 * q.error + q.error * q.error) * (v.most + v.error);
   double of_entry = 0;
-  for (const auto& row : baseline::matrix_of<oracle::PlainBudget>(oracle::exact<4>(q)))
+  for (const auto& row : rotation_rows<oracle::PlainBudget>(oracle::exact<4>(q)))
     for (int i = 0; i < 3; ++i) of_entry = std::max(of_entry, row[i].error);
   const Vec<Budget, 3> row = of_length<0, 3>(1, std::sqrt(3.0) * of_entry);
   return std::sqrt(3.0) * (dot(row, f) + joint.translation[0]).in_u() + of_quaternion / u;

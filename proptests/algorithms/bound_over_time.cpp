@@ -8,7 +8,7 @@
 #include "algorithms/bake/over_time/any_pose.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "proptests/gen/animated_model.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
 
 namespace proptests::suite_bound_over_time {

@@ -11,7 +11,7 @@
 #include "algorithms/model/model.hpp"
 #include "algorithms/runtime/batch/float_palette.hpp"
 #include "algorithms/runtime/collide/box_kernel.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_box {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/ball_lists.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_box_orientation {
 namespace {

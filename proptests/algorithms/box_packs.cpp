@@ -14,7 +14,7 @@
 #include "proptests/gen/opposite_joints.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_box_packs {
 namespace {

@@ -6,7 +6,7 @@
 #include "algorithms/results/write_whole.hpp"
 #include "proptests/cases/pinned_inputs.hpp"
 #include "proptests/cases/statements.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_cases {
 namespace {

@@ -22,7 +22,7 @@
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/checked_folder.hpp"
 
 namespace proptests::suite_certificate {

@@ -12,7 +12,7 @@
 #include "algorithms/certificate/limits.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/skinned_piece.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/bounds.hpp"
 #include "proptests/oracles/checked_folder.hpp"
 
@@ -817,7 +817,7 @@ Checked check_names() {
                     "'",
                     "*"};
   for (const bool is_good : {false, true}) {
-    gen::TemporaryFolder folder;
+    TemporaryFolder folder;
     for (const std::string& name : names) std::ofstream(folder.file(name + ".json")) << (is_good ? sealed(good) : "");
     const auto run = oracle::run_checker(folder.path());
     if (run.status != (is_good ? 0 : 1) || !is_orderly(run, names.size(), is_good ? "accepted" : "rejected"))
@@ -859,7 +859,7 @@ Checked check_names() {
 Checked check_statuses() {
   const json good =
       document("linear", {unturned}, {origin}, {piece(one_weight_vertex, ball(origin, "1"), control)}, ball(origin, "1"));
-  gen::TemporaryFolder folder, empty;
+  TemporaryFolder folder, empty;
   const std::string accepted = folder.file("good"), rejected = folder.file("bad"), absent = folder.file("absent"),
                     odd = folder.file("odd");
   std::ofstream(accepted) << sealed(good);

@@ -20,8 +20,8 @@
 #include "proptests/gen/model_of_nodes.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/rigged_gltf.hpp"
-#include "proptests/gen/temporary_folder.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/temporary_folder.hpp"
 #include "proptests/oracles/animated_skin.hpp"
 #include "proptests/oracles/checked_folder.hpp"
 
@@ -99,7 +99,7 @@ class Certified {
 
  private:
   std::string name(std::size_t i) const { return folder_.file("c" + std::to_string(i) + ".json"); }
-  gen::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 bool is_accepted(const std::string& verdict) { return verdict.starts_with("accepted: "); }
@@ -362,7 +362,7 @@ ChunkChange in_description(const std::function<void(json&)>& change) {
 }
 ChunkChange in_clusters(const std::function<void(ClusterBounds&)>& change) {
   return [=](std::vector<GlbChunk>& chunks) {
-    gen::TemporaryFolder folder;
+    TemporaryFolder folder;
     write_whole(folder.file("one.glb"), glb_of(chunks, "one.glb"));
     BakedFile baked = read_baked(folder.file("one.glb"));
     change(baked.clusters);

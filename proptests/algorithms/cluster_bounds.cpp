@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "algorithms/runtime/tree/binary.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_cluster_bounds {
 namespace {

@@ -14,7 +14,7 @@
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 #include "proptests/oracles/placed_box.hpp"
 

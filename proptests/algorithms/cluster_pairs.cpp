@@ -14,7 +14,7 @@
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/wide_models.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 #include "proptests/oracles/triangles_meet.hpp"
 

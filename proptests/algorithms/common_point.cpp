@@ -3,7 +3,7 @@
 #include "algorithms/certificate/common_point.hpp"
 
 #include "proptests/gen/posed_bodies.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/parted.hpp"
 #include "proptests/oracles/triangles_meet.hpp"
 

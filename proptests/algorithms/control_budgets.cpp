@@ -4,7 +4,7 @@
 #include "algorithms/runtime/refit/dual_quaternion.hpp"
 #include "algorithms/runtime/refit/linear.hpp"
 #include "algorithms/runtime/skinning/palette_rounding.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/cap_budget.hpp"
 #include "proptests/oracles/derived_budgets.hpp"
 #include "proptests/oracles/norm_budget.hpp"

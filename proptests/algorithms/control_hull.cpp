@@ -5,7 +5,7 @@
 
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "proptests/gen/blend_simplex.hpp"
-#include "proptests/oracles/control_balls.hpp"
+#include "proptests/refits/control_balls.hpp"
 
 namespace proptests::suite_control_hull {
 namespace {

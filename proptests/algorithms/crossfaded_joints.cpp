@@ -13,7 +13,7 @@
 #include "algorithms/bake/over_time/bound_over_time.hpp"
 #include "algorithms/bake/over_time/half_turns.hpp"
 #include "proptests/gen/animated_model.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
 
 namespace proptests::suite_crossfaded_joints {

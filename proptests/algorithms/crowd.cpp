@@ -13,7 +13,7 @@
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 #include "proptests/oracles/workers_on_threads.hpp"
 

@@ -13,7 +13,7 @@
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_deformation {
 namespace {

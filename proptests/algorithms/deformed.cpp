@@ -6,7 +6,7 @@
 #include "algorithms/bake/build_tree.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/smallest_ball.hpp"
 
 namespace proptests::suite_deformed {

@@ -21,7 +21,7 @@
 #include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/wide_character.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 #include "proptests/oracles/checked_folder.hpp"
 #include "proptests/oracles/volume.hpp"

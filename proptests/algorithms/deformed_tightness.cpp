@@ -9,7 +9,7 @@
 #include "experiments/deformations/deformed_levels.hpp"
 #include "experiments/deformations/deforming.hpp"
 #include "experiments/procedural/procedural.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_deformed_tightness {
 namespace {

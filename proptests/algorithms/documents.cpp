@@ -12,7 +12,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/checked_folder.hpp"
 
 namespace proptests::suite_documents {
@@ -38,7 +38,7 @@ struct Bound {
 
 // What the checker says of a certificate against a model and a palette.
 std::string said(const std::string& text, const std::string& model, const std::string& palette) {
-  gen::TemporaryFolder folder;
+  TemporaryFolder folder;
   const auto put = [&](const char* name, const std::string& content) {
     std::ofstream(folder.file(name), std::ios::binary) << content;
     return folder.file(name);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_drawings {
 namespace {

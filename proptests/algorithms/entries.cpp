@@ -15,7 +15,7 @@
 #include "algorithms/verification/exact_skin.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/wide_character.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 
 namespace proptests::suite_entries {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The list of errors is complete; that the suites it names provoke them is looked at when they have run (main.cpp).
-#include "proptests/error_list.hpp"
-#include "proptests/harness.hpp"
-#include "proptests/session.hpp"
+#include "proptests/harness/error_list.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/session.hpp"
 
 namespace proptests::suite_errors {
 namespace {

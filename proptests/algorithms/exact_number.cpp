@@ -8,8 +8,8 @@
 #include <random>
 
 #include "lemmas/exact/exact.hpp"
-#include "proptests/harness.hpp"
-#include "proptests/session.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/session.hpp"
 
 namespace proptests::suite_exact_number {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/posed_model.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
 
 namespace proptests::suite_exact_skin {

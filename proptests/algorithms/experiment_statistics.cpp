@@ -8,7 +8,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/speed/statistics.hpp"
 #include "experiments/tightness/add_balls.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_experiment_statistics {
 namespace {

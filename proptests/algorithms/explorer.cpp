@@ -15,7 +15,7 @@
 #include "experiments/scenes/twist.hpp"
 #include "experiments/tightness/misses.hpp"
 #include "lemmas/exact/exact.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_explorer {
 namespace {

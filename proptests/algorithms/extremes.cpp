@@ -13,9 +13,9 @@
 #include "algorithms/verification/exact_skin.hpp"
 #include "proptests/gen/extreme_models.hpp"
 #include "proptests/gen/rigged_gltf.hpp"
-#include "proptests/gen/temporary_folder.hpp"
 #include "proptests/gen/wide_models.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/temporary_folder.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 
 namespace proptests::suite_extremes {
@@ -212,7 +212,7 @@ std::vector<ExtremeFile> extreme_files() {
 }
 
 Checked check_file(const ExtremeFile& file) {
-  const gen::TemporaryFolder folder;
+  const TemporaryFolder folder;
   RiggedGltf scene = gen::bending_tube(3);
   file.change(scene);
   write_glb(scene, folder.file("rig.glb"));

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "proptests/gen/point_cloud.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/session.hpp"
 #include "proptests/oracles/smallest_ball.hpp"
-#include "proptests/session.hpp"
 
 namespace proptests::suite_few_points_ball {
 namespace {

@@ -2,8 +2,8 @@
 #include "algorithms/methods/balls/few_points_ball_packs.hpp"
 
 #include "proptests/gen/point_cloud.hpp"
-#include "proptests/harness.hpp"
-#include "proptests/session.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/session.hpp"
 
 namespace proptests::suite_few_points_ball_packs {
 namespace {

@@ -2,7 +2,7 @@
 // Fingerprints: those that are published for FNV-1a, and of parts in order.
 #include "algorithms/runtime/tree/fingerprint.hpp"
 
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_fingerprint {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 #include "proptests/gen/point_cloud.hpp"
-#include "proptests/harness.hpp"
-#include "proptests/session.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/session.hpp"
 
 namespace proptests::suite_first_balls_ball {
 namespace {

@@ -8,7 +8,7 @@
 #include "algorithms/runtime/batch/float_skin_joints.hpp"
 #include "algorithms/runtime/collide/box_lanes.hpp"
 #include "algorithms/runtime/collide/triangles_filter.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/derived_budgets.hpp"
 #include "proptests/oracles/norm_budget.hpp"
 #include "proptests/oracles/polynomial_budget.hpp"

@@ -33,7 +33,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/procedural/subdivide.hpp"
 #include "proptests/gen/animated_model.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/float_mode.hpp"
 #include "proptests/oracles/workers_on_threads.hpp"
 

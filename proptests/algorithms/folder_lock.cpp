@@ -12,9 +12,9 @@
 #include <thread>
 
 #include "algorithms/results/write_whole.hpp"
-#include "proptests/gen/child_process.hpp"
-#include "proptests/gen/temporary_folder.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/child_process.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/temporary_folder.hpp"
 
 namespace proptests::suite_folder_lock {
 namespace {
@@ -42,7 +42,7 @@ void hold(const std::string& folder) {
 
 PROPTEST(folder_lock) {
   t.example("a folder that is held is refused, with its name and the process that holds it", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     std::optional<FolderLock> lock(folder.file("units"));
     const std::string held = refusal(folder.file("units"));
     const bool other_is_free = refusal(folder.file("other")).empty();
@@ -51,9 +51,9 @@ PROPTEST(folder_lock) {
     return Checked(held == mine && other_is_free && refusal(folder.file("units")).empty(), 3, held);
   });
   t.example("a run killed by kill -9 holds its folder no longer", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     for (int i = 0; i < 20; ++i) {
-      gen::ChildProcess run([&] { hold(folder.path()); });
+      ChildProcess run([&] { hold(folder.path()); });
       while (!std::filesystem::exists(folder.file("held"))) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       const std::string held = refusal(folder.path());
       run.kill_now();
@@ -64,7 +64,7 @@ PROPTEST(folder_lock) {
     return Checked(true, 20);
   });
   t.example("threads that want one folder have it one at a time, each in the end, and are refused for no other reason", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     // A thread asks until it has had the folder so often: how many refusals that takes is the scheduler's matter.
     constexpr int threads = 8, times = 25;
     std::atomic<int> inside = 0, together = 0, refused = 0, strange = 0;
@@ -89,14 +89,14 @@ PROPTEST(folder_lock) {
     return Checked(together == 0 && strange == 0, threads * times, std::to_string(refused.load()) + " times refused");
   });
   t.example("what an earlier run wrote into the lock, longer than a process's number, is not part of the next refusal", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     write_whole(folder.file("lock"), "99999999999999 and more");
     const FolderLock lock(folder.path());
     const std::string message = refusal(folder.path());
     return Checked(message == folder.path() + ": in use by another run, process " + std::to_string(getpid()), 1, message);
   });
   t.example("a program that is started meanwhile and goes on does not hold the folder", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     std::optional<FolderLock> lock(folder.path());
     std::FILE* const program = popen("cat > /dev/null", "w");  // until it is closed
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -106,7 +106,7 @@ PROPTEST(folder_lock) {
     return Checked(message.empty(), 1, message);
   });
   t.example("a process without standard input has its folder as any other, though its lock's descriptor is 0", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const int input = dup(STDIN_FILENO);
     close(STDIN_FILENO);
     const std::string message = refusal(folder.path());
@@ -114,7 +114,7 @@ PROPTEST(folder_lock) {
     return Checked(message.empty(), 1, message);
   });
   t.example("refused, with the path and the reason: a folder that cannot be made", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     write_whole(folder.file("file"), "");
     const std::string message = refusal(folder.file("file"));
     return Checked(message == folder.file("file/lock") + ": cannot lock: Not a directory", 1, message);

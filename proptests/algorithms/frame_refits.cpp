@@ -15,7 +15,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_frame_refits {
 namespace {

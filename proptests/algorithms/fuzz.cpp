@@ -5,7 +5,7 @@
 
 #include "algorithms/results/write_whole.hpp"
 #include "proptests/fuzz/target.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_fuzz {
 namespace {

@@ -3,7 +3,7 @@
 #include "algorithms/runtime/tree/glb_file.hpp"
 
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_glb_file {
 namespace {

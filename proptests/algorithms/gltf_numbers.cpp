@@ -13,7 +13,7 @@
 
 #include "algorithms/model/model.hpp"
 #include "proptests/gen/gltf_builder.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_gltf_numbers {
 namespace {

@@ -13,8 +13,8 @@
 #include "algorithms/model/model_of_scene.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/rigged_gltf.hpp"
-#include "proptests/gen/temporary_folder.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/temporary_folder.hpp"
 
 namespace proptests::suite_gltf_scene {
 namespace {
@@ -748,7 +748,7 @@ void refused_and_unusual_descriptions(Suite& t, const json& tube) {
 
 void buffers_and_primitives_without_positions(Suite& t, const json& tube) {
   t.example("buffers are beside the file that names them, by names with percent signs, and nowhere else", {}, [&] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     json g = tube;
     const std::string data = g["buffers"][0]["uri"];
     const auto write = [&](const std::string& name, const std::string& bytes) {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_joint_sets {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_json_splice {
 namespace {

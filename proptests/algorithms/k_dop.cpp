@@ -6,7 +6,7 @@
 
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/ball_lists.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests::suite_k_dop {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "experiments/procedural/procedural.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_keyed {
 namespace {

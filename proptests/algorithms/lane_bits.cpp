@@ -5,7 +5,7 @@
 #include <random>
 
 #include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_lane_bits {
 namespace {

@@ -12,9 +12,9 @@
 #include "algorithms/model/guarded_load.hpp"
 #include "proptests/gen/broken_rigs.hpp"
 #include "proptests/gen/random_rig.hpp"
-#include "proptests/gen/temporary_folder.hpp"
 #include "proptests/gen/two_bone_x.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/temporary_folder.hpp"
 #include "proptests/oracles/file_skinning.hpp"
 
 namespace proptests::suite_load {
@@ -22,7 +22,7 @@ namespace {
 
 using namespace refitlab;
 using gen::RiggedGltf;
-using Folder = gen::TemporaryFolder;
+using Folder = TemporaryFolder;
 
 Model load(const RiggedGltf& scene) {
   const Folder folder;

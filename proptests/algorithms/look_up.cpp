@@ -7,7 +7,7 @@
 
 #include "algorithms/runtime/collide/motion_bound_piece_kernel.hpp"
 #include "algorithms/runtime/packs/lanes.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_look_up {
 namespace {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "algorithms/model/model_of_scene.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_mesh_binding {
 namespace {

@@ -20,8 +20,8 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/model_of_nodes.hpp"
 #include "proptests/gen/rich_gltf.hpp"
-#include "proptests/gen/temporary_folder.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/temporary_folder.hpp"
 #include "proptests/oracles/reweighted_vertex.hpp"
 
 namespace proptests::suite_model_bounds {
@@ -305,7 +305,7 @@ void crossfades(Suite& t) {
 void parts_of_crossfades_and_rounded_weights(Suite& t) {
   t.example("while one clip fades to another, the box of each skin, mesh and primitive is that of its own clusters together", {},
             [] {
-              const gen::TemporaryFolder folder;
+              const TemporaryFolder folder;
               write_whole(folder.file("rich.glb"), gen::RichGltf(false, true, false).file.binary_file());
               Model model = load_model(folder.file("rich.glb"), {.joints = Joints::affine, .morphs = Morphs::moving});
               model.clips.push_back(model.clips[0]);

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "algorithms/model/assimp_scene.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_model_of_scene {
 namespace {

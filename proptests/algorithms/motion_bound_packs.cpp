@@ -13,7 +13,7 @@
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/placed_box.hpp"
 
 namespace proptests::suite_motion_bound_packs {

@@ -8,7 +8,7 @@
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/bake/over_time/half_turns.hpp"
 #include "proptests/gen/animated_model.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
 #include "proptests/oracles/reweighted_vertex.hpp"
 

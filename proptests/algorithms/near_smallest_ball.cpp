@@ -9,7 +9,7 @@
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/point_cloud.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_near_smallest_ball {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/animated_model.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
 
 namespace proptests::suite_node_motions {

@@ -11,7 +11,7 @@
 #include "proptests/gen/ball_lists.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/gen/quaternion.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/polytope.hpp"
 

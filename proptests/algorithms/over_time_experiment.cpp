@@ -14,8 +14,8 @@
 #include "experiments/over_time/sampled_boxes.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/skinning_name.hpp"
-#include "proptests/gen/temporary_folder.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/temporary_folder.hpp"
 
 namespace proptests::suite_over_time_experiment {
 namespace {
@@ -247,7 +247,7 @@ void results_are_written(Suite& t) {
         std::count_if(parts.begin(), parts.end(), [](const ModelPart& part) { return part.kind == PartKind::cluster; });
     const OverTimeSettings settings{.random_times = 10, .halvings = 1, .exact_checks = 2, .clips = 1};
     const std::vector<OverTimeResult> results = run_over_time(model, settings);
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     write_over_time(results, settings, folder.file("over_time.csv"));
     const std::string text = read_whole(folder.file("over_time.csv"));
     if (results.size() != 3 || clusters < 3) return false;

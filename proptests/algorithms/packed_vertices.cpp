@@ -9,7 +9,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/posed_model.hpp"
 #include "proptests/gen/wide_models.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_packed_vertices {
 namespace {

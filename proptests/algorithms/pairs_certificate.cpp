@@ -16,7 +16,7 @@
 #include "proptests/gen/posed_bodies.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/checked_folder.hpp"
 
 namespace proptests::suite_pairs_certificate {
@@ -240,7 +240,7 @@ bool has_no_certificate(const PosedBody& first, const PosedBody& second, const s
 
 // The checker's words for a certificate against two documents.
 std::string against(const std::string& first, const std::string& second) {
-  const gen::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto put = [&](const std::string& name, const std::string& text) {
     std::ofstream(folder.file(name), std::ios::binary) << text;
     return folder.file(name);

@@ -21,7 +21,7 @@
 #include "proptests/gen/refit_case.hpp"
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/gen/weights.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/running_error.hpp"
 
 namespace proptests::suite_palette_rounding {

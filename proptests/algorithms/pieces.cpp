@@ -8,7 +8,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/convex_combination.hpp"
 #include "proptests/oracles/weight_vertices.hpp"
 

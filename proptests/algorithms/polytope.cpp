@@ -9,7 +9,7 @@
 #include "algorithms/methods/volumes/k_dop.hpp"
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/ball_lists.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_polytope {
 namespace {

@@ -5,7 +5,7 @@
 #include "algorithms/bake/bake.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 
 namespace proptests::suite_posed_body {

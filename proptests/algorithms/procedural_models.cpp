@@ -12,7 +12,7 @@
 
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "experiments/procedural/procedural.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_procedural_models {
 namespace {

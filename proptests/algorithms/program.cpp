@@ -33,8 +33,8 @@
 #include "proptests/gen/model_of_nodes.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/gen/rigged_gltf.hpp"
-#include "proptests/gen/temporary_folder.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/temporary_folder.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 #include "proptests/oracles/checked_folder.hpp"
 
@@ -106,7 +106,7 @@ struct Rich {
     arguments.insert(arguments.end(), more.begin(), more.end());
     called = call(arguments);
   }
-  gen::TemporaryFolder folder;
+  TemporaryFolder folder;
   gen::RichGltf gltf;
   Called called;
 };
@@ -314,7 +314,7 @@ void characters_and_nodes(Suite& t) {
 
 void crossfades(Suite& t) {
   t.example("crossfades of all clips are baked, checked, and found where a bound is too small", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), bad = folder.file("bad.glb");
     write_gltf(keyed(make_man(400), 4), in);
     const Called called = call({"bake", "--for", "crossfade", "--rotations", "nlerp", "--crossfade-tolerance", "0.5",
@@ -372,7 +372,7 @@ double time_of_farthest(const std::string& said) {
 
 void what_leaves_its_box_between_keys(Suite& t) {
   t.example("a vertex that leaves its box between two keys alone is found, between whichever two", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), bad = folder.file("bad.glb");
     const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
     write_gltf(make_turning(170, {z, z, z}), in);
@@ -409,7 +409,7 @@ SaidOfRest said_of_rest(const std::string& said) {
 void check_counts_vertices(Suite& t) {
   t.example("check counts the vertices that are outside and those too near to a bound to tell, and says how far one is outside",
             {}, [] {
-              const gen::TemporaryFolder folder;
+              const TemporaryFolder folder;
               const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), other = folder.file("other.glb");
               write_gltf(make_turning(80, {Eigen::Vector3d::UnitZ()}), in);
               const Called baked = call({"bake", "--clusters", "4", in, out});
@@ -468,7 +468,7 @@ std::string wrong_of_crossfades(const json& summary, const json& file) {
 void crossfades_unless_asked_otherwise(Suite& t) {
   t.example("crossfades are by slerp, and as tight as is said, unless asked otherwise: in the file, its chunk and on the screen",
             {}, [] {
-              const gen::TemporaryFolder folder;
+              const TemporaryFolder folder;
               const std::string in = folder.file("in.glb"), out = folder.file("out.glb");
               const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
               write_gltf(make_turning(80, {z, -z, y, x}), in);
@@ -499,7 +499,7 @@ void crossfades_unless_asked_otherwise(Suite& t) {
 
 void a_crossfade_of_one_clip(Suite& t) {
   t.example("crossfades that are asked for of one clip alone are none, and bake says so", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     std::string said;
     bool good = true;
     for (const int clips : {1, 2}) {
@@ -517,7 +517,7 @@ void a_crossfade_of_one_clip(Suite& t) {
 
 void crossfades_of_three_clips(Suite& t) {
   t.example("of each crossfade both clips are looked at, and what is written of it is of both", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), bad = folder.file("bad.glb"),
                       to = folder.file("summary.json");
     const Eigen::Vector3d y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
@@ -571,7 +571,7 @@ Model make_scaling(const std::vector<std::vector<double>>& factors_of_clips) {
 void info_says_which_clips_are_rigid(Suite& t) {
   t.example(
       "info says of each clip whether it is rigid: one is not that scales a joint at its start, at its end or between", {}, [] {
-        const gen::TemporaryFolder folder;
+        const TemporaryFolder folder;
         std::vector<std::vector<double>> clips = {std::vector<double>(5, 1)};
         for (std::size_t k = 0; k < 5; ++k) clips.push_back(clips[0]), clips.back()[k] = 2;
         write_gltf(make_scaling(clips), folder.file("in.glb"));
@@ -582,7 +582,7 @@ void info_says_which_clips_are_rigid(Suite& t) {
         return Checked(good, static_cast<long>(clips.size()), info.out + info.errors);
       });
   t.example("a clip is not rigid that scales a joint at one of many keys alone", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     std::vector<std::vector<double>> clips = {std::vector<double>(33, 1)};
     // None of these is a quarter of the clip, nor the next key to one.
     for (const std::size_t k : {2, 5, 12, 19, 30}) clips.push_back(clips[0]), clips.back()[k] = 2;
@@ -867,7 +867,7 @@ void reports_show_each_cluster(Suite& t) {
 
 void reports_and_progress(Suite& t) {
   t.example("the report has the clusters, each clip's frames from its start to its end, and times of the clip alone", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::string in = folder.file("in.glb");
     write_gltf(keyed(make_man(), 4), in);
     const Called called = call({"bake", in, folder.file("out.glb"), "--report", folder.file("report.html")});
@@ -969,7 +969,7 @@ void collide_writes_pairs_and_certificates(Suite& t) {
             });
   t.example("collide writes the pairs that it prints, and a certificate of them that is accepted against its documents", {}, [] {
     const Rich rich(false, false);
-    const gen::TemporaryFolder& folder = rich.folder;
+    const TemporaryFolder& folder = rich.folder;
     const std::string in = folder.file("in.glb"), pairs = folder.file("pairs.json"), why = folder.file("why.json");
     std::string wrong;
     long printed = 0;
@@ -1003,7 +1003,7 @@ void collide_writes_pairs_and_certificates(Suite& t) {
 }
 
 // A file of a triangle that one of three joints moves by a matrix, and of the same one, so far away, that the others hold.
-std::string file_of_moved(const gen::TemporaryFolder& folder, const std::string& name, const Eigen::Matrix4d& by,
+std::string file_of_moved(const TemporaryFolder& folder, const std::string& name, const Eigen::Matrix4d& by,
                           const std::vector<Point3>& corners, double away) {
   const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
   Model model = gen::model_of_nodes("three", {{"a", -1, identity}, {"b", -1, by}, {"c", -1, identity}});
@@ -1016,7 +1016,7 @@ std::string file_of_moved(const gen::TemporaryFolder& folder, const std::string&
 
 void collide_scales_before_it_turns(Suite& t) {
   t.example("collide has a triangle of a joint that scales and turns where the file has it, in every skinning", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::vector<Point3> corners = {{4, -1, -1}, {4, 1, -1}, {4, 0, 1}};
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
     std::string wrong;
@@ -1047,7 +1047,7 @@ void collide_scales_before_it_turns(Suite& t) {
 void strange_names_and_joints(Suite& t) {
   t.example("files are named as they are in what is written, in UTF-8 or not", {}, [] {
     const Rich rich(false, false);
-    const gen::TemporaryFolder& folder = rich.folder;
+    const TemporaryFolder& folder = rich.folder;
     const std::string strange = folder.file("a\xff.glb"), out = folder.file("out.glb"), summary = folder.file("s.json"),
                       page = folder.file("r.html");
     write_whole(strange, read_whole(folder.file("in.glb")));
@@ -1064,7 +1064,7 @@ void strange_names_and_joints(Suite& t) {
     return Checked(misses.clusters == 0 && misses.by == 0, 1, std::to_string(misses.clusters) + " clusters");
   });
   t.example("collide takes joints as they are, be they rigid but for a thousandth", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     long touching = 0;
     // A triangle at x = 100, by a joint of this scale, and one from 100.05 to 100.2 that crosses where it then is.
     for (const double scale : {1.0, 1.001}) {
@@ -1159,7 +1159,7 @@ void numbers_beyond_either_end(Suite& t) {
 
 void ends_of_clips_as_printed(Suite& t) {
   t.example("the end of a clip is taken as info and collide print it, whatever its digits", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     static const std::regex printed(R"(#1 clip: ([^ ]*) s, )"), said(R"(the clip goes from 0 to ([^ ]*) s)");
     const std::string in = folder.file("in.glb");
     std::string wrong;
@@ -1182,7 +1182,7 @@ void ends_of_clips_as_printed(Suite& t) {
 void files_named_twice(Suite& t) {
   t.example("a file that is written is no other file of the call, however its path is written, and has a name", {}, [] {
     const Rich rich(false, false);
-    const gen::TemporaryFolder& folder = rich.folder;
+    const TemporaryFolder& folder = rich.folder;
     const std::string in = folder.file("in.glb"), out = folder.file("never.glb"), other = folder.file("other.json"),
                       body = folder.file("body"),
                       again = folder.path() + "/../" + std::filesystem::path(folder.path()).filename().string(),
@@ -1253,7 +1253,7 @@ void what_is_behind_a_chunk(Suite& t) {
 
 void what_a_bake_leaves_in_order(Suite& t) {
   t.example("a file without a chunk of buffers gets one before the bounds, which readers look for in the second place", {}, [] {
-    gen::TemporaryFolder folder;
+    TemporaryFolder folder;
     const std::string in = folder.file("in.glb"), out = folder.file("out.glb");
     const std::string text = gen::built(gen::bending_tube(3)).text_file();
     write_whole(in, glb_of({{json_chunk, text}}, in));
@@ -1264,7 +1264,7 @@ void what_a_bake_leaves_in_order(Suite& t) {
                    2, bake.errors + again.errors + check.errors);
   });
   t.example("bounds of what the scene does not show any more are removed, and null extras make way", {}, [] {
-    gen::TemporaryFolder folder;
+    TemporaryFolder folder;
     const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), moved = folder.file("moved.glb");
     json description = json::parse(gen::built(gen::bending_tube(3)).text_file());
     description["meshes"].push_back(description["meshes"][0]);
@@ -1304,7 +1304,7 @@ void what_a_bake_leaves_in_order(Suite& t) {
 
 void what_a_bake_refuses_or_says(Suite& t) {
   t.example("a clip that is too long to be sampled is refused for a report, before anything is written", {}, [] {
-    gen::TemporaryFolder folder;
+    TemporaryFolder folder;
     const std::string in = folder.file("in.glb"), out = folder.file("out.glb"), report = folder.file("report.html");
     gen::RiggedGltf rig = gen::bending_tube(3);
     rig.clips[0].tracks[0].times.back() = 1e9f;
@@ -1317,7 +1317,7 @@ void what_a_bake_refuses_or_says(Suite& t) {
                    2, with.errors + without.errors);
   });
   t.example("files that another one names are told of where it goes to another folder without them", {}, [] {
-    gen::TemporaryFolder folder;
+    TemporaryFolder folder;
     const std::string in = folder.file("in.glb"), beside = folder.file("out.glb"), away = folder.file("other/out.glb");
     json description = json::parse(gen::built(gen::bending_tube(3)).text_file());
     const std::string uri = description["buffers"][0]["uri"];
@@ -1336,7 +1336,7 @@ void what_a_bake_refuses_or_says(Suite& t) {
                    3, whole.errors + same.errors + other.errors);
   });
   t.example("the standard output is known by any of its names", {}, [] {
-    gen::TemporaryFolder folder;
+    TemporaryFolder folder;
     write_whole(folder.file("file"), "");
     std::ostringstream out, errors;
     const auto is_told_to = [&](const std::vector<std::string>& files, std::ostream& where) {
@@ -1443,7 +1443,7 @@ void words_in_the_wrong_place(Suite& t) {
   t.example("a forgotten value is not the option behind it, names begin no line, and OUT stays if another file cannot be written",
             {}, [] {
               const Rich rich(true, false), even(false, false);
-              const gen::TemporaryFolder& folder = rich.folder;
+              const TemporaryFolder& folder = rich.folder;
               const std::string rigid = even.folder.file("in.glb"), in = folder.file("in.glb"), out = folder.file("never.glb");
               std::string wrong;
               const auto fails = [&](int code, const std::vector<std::string>& arguments, const std::string& reason) {
@@ -1466,7 +1466,7 @@ void wrong_calls_and_files(Suite& t) {
   t.example("wrong calls exit with 2, files that cannot be used with 3, each with a line that says why, and nothing is written",
             {}, [] {
               const Rich rich(true, false), even(false, false);
-              const gen::TemporaryFolder& folder = rich.folder;
+              const TemporaryFolder& folder = rich.folder;
               const std::string rigid = even.folder.file("in.glb");
               std::string wrong;
               const std::string in = folder.file("in.glb"), out = folder.file("never.glb"), broken = folder.file("broken.glb");

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "lemmas/exact/exact.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_quantize {
 namespace {

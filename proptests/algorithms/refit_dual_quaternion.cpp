@@ -5,8 +5,8 @@
 
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "proptests/gen/blend_simplex.hpp"
-#include "proptests/oracles/control_balls.hpp"
 #include "proptests/oracles/nearest_point.hpp"
+#include "proptests/refits/control_balls.hpp"
 
 // There is no rational for it.
 struct Unbounded {};

@@ -17,7 +17,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/real_models.hpp"
 #include "proptests/gen/wide_character.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_refit_end_to_end {
 namespace {

@@ -2,8 +2,8 @@
 // Refitting for linear blending.
 #include "algorithms/runtime/refit/linear.hpp"
 #include "proptests/gen/skinned_samples.hpp"
-#include "proptests/harness.hpp"
-#include "proptests/oracles/refit_ladder.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/refits/refit_ladder.hpp"
 
 namespace proptests::suite_refit_linear {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_result_file {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/rigid.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/rotation_center.hpp"
 
 namespace proptests::suite_rotation_center {

@@ -8,8 +8,8 @@
 #include "algorithms/runtime/balls/mean_ball.hpp"
 #include "algorithms/runtime/packs/float_above.hpp"
 #include "lemmas/exact/exact.hpp"
-#include "proptests/harness.hpp"
-#include "proptests/session.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/session.hpp"
 
 namespace proptests::suite_round_up {
 namespace {

@@ -9,16 +9,16 @@
 
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/results/write_whole.hpp"
-#include "proptests/gen/child_process.hpp"
-#include "proptests/gen/temporary_folder.hpp"
-#include "proptests/harness.hpp"
-#include "proptests/session.hpp"
+#include "proptests/harness/child_process.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/session.hpp"
+#include "proptests/harness/temporary_folder.hpp"
 
 namespace proptests::suite_run_folder {
 namespace {
 
 using namespace refitlab;
-using gen::TemporaryFolder;
+using TemporaryFolder;
 
 // The file of the one unit that a folder has.
 std::string only_unit(const TemporaryFolder& folder) {
@@ -63,7 +63,7 @@ Checked interrupted_run_has_the_same_rows() {
     const std::string log = folder.file("log " + std::to_string(trial)), out = folder.file("out " + std::to_string(trial));
     long kills_here = 0;
     while (!std::filesystem::exists(out)) {
-      gen::ChildProcess run([&] { write_whole(out, run_in(units_folder, log)); });
+      ChildProcess run([&] { write_whole(out, run_in(units_folder, log)); });
       std::this_thread::sleep_for(whole * static_cast<double>(random() % 1000) / 8000 * ++kills_here);
       run.kill_now();
     }

@@ -14,8 +14,8 @@
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/point_cloud.hpp"
-#include "proptests/harness.hpp"
-#include "proptests/session.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/session.hpp"
 
 namespace proptests::suite_scaling {
 namespace {

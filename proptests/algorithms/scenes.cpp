@@ -15,7 +15,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/methods.hpp"
 #include "experiments/scenes/twist.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_scenes {
 namespace {

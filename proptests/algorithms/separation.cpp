@@ -10,7 +10,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/posed_bodies.hpp"
 #include "proptests/gen/random_pose.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 #include "proptests/oracles/parted.hpp"
 #include "proptests/oracles/triangles_meet.hpp"

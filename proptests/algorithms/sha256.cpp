@@ -2,7 +2,7 @@
 // SHA-256 on the examples of its standard and at the borders of its blocks.
 #include "algorithms/certificate/sha256.hpp"
 
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_sha256 {
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "algorithms/bake/weight_hull.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_shares {
 namespace {

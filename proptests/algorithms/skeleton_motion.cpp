@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_skeleton_motion {
 namespace {

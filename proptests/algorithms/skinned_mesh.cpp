@@ -7,7 +7,7 @@
 
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_skinned_mesh {
 namespace {

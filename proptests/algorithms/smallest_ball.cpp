@@ -2,9 +2,9 @@
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 
 #include "proptests/gen/point_cloud.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/session.hpp"
 #include "proptests/oracles/smallest_ball.hpp"
-#include "proptests/session.hpp"
 
 namespace proptests::suite_smallest_ball {
 namespace {

@@ -9,7 +9,7 @@
 #include "algorithms/bake/weight_vertices.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/smallest_ball.hpp"
 #include "proptests/oracles/weight_vertices.hpp"
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_subdivide {
 namespace {

@@ -10,7 +10,7 @@
 #include "algorithms/verification/portable_random.hpp"
 #include "algorithms/verification/score.hpp"
 #include "proptests/cases/statements.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
 
 namespace proptests::suite_synthetic_case {

@@ -3,7 +3,7 @@
 
 #include "algorithms/runtime/balls/few_balls_ball.hpp"
 #include "proptests/gen/point_cloud.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/smallest_ball.hpp"
 
 namespace proptests::suite_three_points_ball {

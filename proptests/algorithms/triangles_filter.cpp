@@ -10,7 +10,7 @@
 
 #include "algorithms/runtime/collide/box_kernel.hpp"
 #include "algorithms/runtime/packs/pack.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/triangles_meet.hpp"
 
 namespace proptests::suite_triangles_filter {

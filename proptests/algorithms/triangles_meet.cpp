@@ -3,7 +3,7 @@
 
 #include <rapidcheck.h>
 
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/triangles_meet.hpp"
 
 namespace proptests::suite_triangles_meet {

@@ -13,7 +13,7 @@
 #include "algorithms/runtime/refit/linear.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_variants {
 namespace {

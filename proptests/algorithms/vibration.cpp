@@ -18,7 +18,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_vibration {
 namespace {

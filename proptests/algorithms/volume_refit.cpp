@@ -11,7 +11,7 @@
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/skinned_samples.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/rational_root.hpp"
 #include "proptests/oracles/volume.hpp"
 

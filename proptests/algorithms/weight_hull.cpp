@@ -7,7 +7,7 @@
 
 #include "algorithms/bake/weight_vertices.hpp"
 #include "proptests/gen/rational.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/convex_combination.hpp"
 #include "proptests/oracles/weight_vertices.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "proptests/gen/dyadic_bounds.hpp"
 #include "proptests/gen/weight_bounds.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/weight_vertices.hpp"
 
 namespace proptests::suite_weight_vertices {

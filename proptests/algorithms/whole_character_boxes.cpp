@@ -22,7 +22,7 @@
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/rigid.hpp"
 #include "proptests/gen/weights.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
 #include "proptests/oracles/upper_root.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tests' own processes: nothing of a suite gets lost between them.
-#include "proptests/workers.hpp"
+#include "proptests/harness/workers.hpp"
 
 #include <unistd.h>
 

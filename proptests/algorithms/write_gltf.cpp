@@ -13,8 +13,8 @@
 #include "algorithms/runtime/tree/glb_file.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/rich_gltf.hpp"
-#include "proptests/gen/temporary_folder.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/temporary_folder.hpp"
 
 namespace proptests::suite_write_gltf {
 namespace {
@@ -93,7 +93,7 @@ std::string refusal(const Model& model) {
 
 PROPTEST(write_gltf) {
   t.example("the man, the creature and a snake load back from their files", {}, [] {
-    const gen::TemporaryFolder folder;
+    const TemporaryFolder folder;
     std::string wrong;
     for (const Model& made : {make_man(), make_creature(), make_snake(40)}) {
       const Model model = keyed(made, 30);

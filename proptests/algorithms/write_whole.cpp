@@ -15,10 +15,10 @@
 #include <set>
 #include <thread>
 
-#include "proptests/gen/child_process.hpp"
-#include "proptests/gen/temporary_folder.hpp"
-#include "proptests/harness.hpp"
-#include "proptests/session.hpp"
+#include "proptests/harness/child_process.hpp"
+#include "proptests/harness/harness.hpp"
+#include "proptests/harness/session.hpp"
+#include "proptests/harness/temporary_folder.hpp"
 
 // What is told to be on the disk, in order, as long as a test listens: 'd' for a folder, 'f' for a file.
 namespace {
@@ -34,8 +34,8 @@ namespace proptests::suite_write_whole {
 namespace {
 
 using namespace refitlab;
-using gen::ChildProcess;
-using gen::TemporaryFolder;
+using ChildProcess;
+using TemporaryFolder;
 
 // Texts that differ in every byte and in length: no part of one is another.
 std::set<std::string> texts_of(char first, int count) {

@@ -4,7 +4,7 @@
 #include "algorithms/methods/refit/algorithm1_printed.hpp"
 #include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 #include "proptests/gen/skinned_samples.hpp"
-#include "proptests/oracles/refit_ladder.hpp"
+#include "proptests/refits/refit_ladder.hpp"
 
 namespace proptests::cases {
 namespace {

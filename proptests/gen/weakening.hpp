@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "proptests/gen/rational.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests {
 

@@ -6,7 +6,7 @@
 #include "proptests/counterexamples/a3_morph_displacement.hpp"
 #include "proptests/gen/curves.hpp"
 #include "proptests/gen/weakening.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 

@@ -5,7 +5,7 @@
 #include "proptests/gen/blend_simplex.hpp"
 #include "proptests/gen/rigid.hpp"
 #include "proptests/gen/weakening.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/nearest_point.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/skinning.hpp"

@@ -5,7 +5,7 @@
 #include "proptests/gen/quaternion.hpp"
 #include "proptests/gen/vector.hpp"
 #include "proptests/gen/weakening.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/skinning.hpp"
 #include "proptests/oracles/upper_root.hpp"

@@ -5,7 +5,7 @@
 #include "proptests/counterexamples/c4_chain_motion.hpp"
 #include "proptests/gen/chain.hpp"
 #include "proptests/gen/weakening.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests::suite_c4_chain_motion {

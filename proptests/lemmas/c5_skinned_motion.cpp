@@ -7,7 +7,7 @@
 #include "proptests/gen/chain.hpp"
 #include "proptests/gen/weakening.hpp"
 #include "proptests/gen/weights.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests::suite_c5_skinned_motion {

@@ -6,7 +6,7 @@
 #include "proptests/counterexamples/c7_crossfade.hpp"
 #include "proptests/gen/chain.hpp"
 #include "proptests/gen/weakening.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/slerp.hpp"
 

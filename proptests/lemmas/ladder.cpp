@@ -3,7 +3,7 @@
 
 #include "lemmas/vocabulary/root_comparison.hpp"
 #include "proptests/gen/rational.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_ladder {
 namespace {

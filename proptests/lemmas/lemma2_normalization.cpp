@@ -4,7 +4,7 @@
 #include "proptests/counterexamples/lemma2_normalization.hpp"
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/hull.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/rotation.hpp"

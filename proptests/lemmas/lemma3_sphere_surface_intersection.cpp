@@ -4,7 +4,7 @@
 #include "proptests/counterexamples/lemma3_sphere_surface_intersection.hpp"
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/surface.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/nearest_on_surface.hpp"
 #include "proptests/oracles/number_types.hpp"

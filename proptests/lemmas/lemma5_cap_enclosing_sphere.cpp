@@ -4,7 +4,7 @@
 #include "proptests/counterexamples/lemma5_cap_enclosing_sphere.hpp"
 #include "proptests/gen/cap.hpp"
 #include "proptests/gen/dimension.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "lemmas/vocabulary/verdict.hpp"
 #include "proptests/gen/dimension.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests {
 

@@ -10,7 +10,7 @@
 #include "proptests/counterexamples/rotation_bound.hpp"
 #include "proptests/gen/quaternion.hpp"
 #include "proptests/gen/weights.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_rotation_bound {
 namespace {

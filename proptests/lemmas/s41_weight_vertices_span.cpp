@@ -5,7 +5,7 @@
 #include "proptests/counterexamples/s41_weight_vertices_span.hpp"
 #include "proptests/gen/weight_bounds.hpp"
 #include "proptests/gen/weights.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 

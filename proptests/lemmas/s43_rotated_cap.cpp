@@ -5,7 +5,7 @@
 #include "proptests/gen/cap_angle.hpp"
 #include "proptests/gen/quaternion.hpp"
 #include "proptests/gen/sphere_point.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 

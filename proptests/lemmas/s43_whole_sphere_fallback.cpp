@@ -7,7 +7,7 @@
 #include "proptests/gen/sphere_point.hpp"
 #include "proptests/gen/vector.hpp"
 #include "proptests/gen/weights.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 

@@ -5,7 +5,7 @@
 #include "proptests/gen/rigid.hpp"
 #include "proptests/gen/sphere_point.hpp"
 #include "proptests/gen/weight_bounds.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"

@@ -4,7 +4,7 @@
 #include "proptests/counterexamples/s44_sum_of_bounds.hpp"
 #include "proptests/gen/sphere_point.hpp"
 #include "proptests/gen/weights.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"

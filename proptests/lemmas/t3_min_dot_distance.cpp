@@ -5,7 +5,7 @@
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/sphere_point.hpp"
 #include "proptests/gen/weakening.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests::suite_t3_min_dot_distance {

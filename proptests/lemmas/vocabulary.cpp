@@ -11,7 +11,7 @@
 #include "proptests/gen/sphere_point.hpp"
 #include "proptests/gen/weakening.hpp"
 #include "proptests/gen/weights.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
 
 namespace proptests::suite_vocabulary {
@@ -365,6 +365,10 @@ void quaternions_and_rigid_transforms_are_matrices(Suite& t) {
     const RationalVec<3> zero(0, 0, 0);
     RC_ASSERT(rotate_scaled(q, x) == RationalVec<3>(oracle::times(oracle::affine_of(q, zero), x) * squared_norm(q)));
     RC_ASSERT(rotate(unit, x) == oracle::times(oracle::affine_of(unit, zero), x));
+    const RationalVec<3> displacement = rotation_displacement(q, Rational(Rational(2) / squared_norm(q)), x);
+    RC_ASSERT(RationalVec<3>(x + displacement) == oracle::times(oracle::affine_of(q, zero), x));
+    const auto rows = rotation_rows(unit);
+    for (int i = 0; i < 3; ++i) RC_ASSERT(dot(rows[static_cast<std::size_t>(i)], x) == rotate(unit, x)[i]);
     RC_ASSERT(rotate_scaled(RationalQuaternion(0, 0, 0, 0), x) == zero);
   });
   t.holds("rigid transforms apply, compose and invert as their matrices", {.number_type = "rational", .cases = 300}, [] {

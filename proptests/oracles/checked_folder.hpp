@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "proptests/gen/temporary_folder.hpp"
+#include "proptests/harness/temporary_folder.hpp"
 
 namespace proptests::oracle {
 
@@ -55,7 +55,7 @@ class CheckedFolder {
   std::string file(std::size_t number) const;
 
   std::string program_;
-  gen::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   std::size_t count_ = 0;
 };
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests::oracle {
 

@@ -45,11 +45,7 @@ struct FloatJointSet {
   }
   // Returns x turned by q, plus c.
   [[gnu::always_inline]] static Vec<S, 3> turn_and_add(const Quaternion<S>& q, const Vec<S, 3>& x, const Vec<S, 3>& c) {
-    const Vec<S, 3> v = imaginary(q), t = cross(v, x), tt = cross(v, t);
-    const S scale = S(2.f) / squared_norm(q);
-    Vec<S, 3> out;
-    for (int i = 0; i < 3; ++i) out[i] = scale * (q[0] * t[i] + tt[i]) + (x[i] + c[i]);
-    return out;
+    return rotation_displacement(q, S(S(2.f) / squared_norm(q)), x) + (x + c);
   }
 };
 

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "algorithms/runtime/balls/mean_ball.hpp"
-#include "algorithms/runtime/batch/rotation_bound_packs.hpp"
 #include "algorithms/runtime/packs/by_joint.hpp"
 #include "algorithms/runtime/packs/pack.hpp"
 #include "algorithms/runtime/packs/transpose.hpp"
@@ -122,7 +121,7 @@ struct Spherical {
       sum = sum + out.center[k] * included;
       count = count + included;
     }
-    const RotationBound<S> bound = bound_rotations_packs<float>(std::span<const Quaternion<S>>(units, m), direction);
+    const RotationBound<S> bound = bound_rotations<S>({units, static_cast<std::size_t>(m)}, direction);
     const Ball3<S> turned = rotated_ball(bound, x);
     out.offset = turned.center;
     out.sum = sum + out.offset * count;

@@ -2,7 +2,6 @@
 // These classes are for the kernels of MotionBound. They hold the numbers of all joints, and the bounds of a pack's lanes.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <limits>
 
@@ -101,16 +100,6 @@ class Rotations {
   Quaternion<S> of_[slots];
   S least_{1};
 };
-
-// Returns the rows of a rotation's matrix, in any number type.
-template <class T>
-[[gnu::always_inline]] inline std::array<Vec<T, 3>, 3> matrix_of(const Quaternion<T>& q) {
-  const T x = q[1] + q[1], y = q[2] + q[2], z = q[3] + q[3];
-  const T wx = q[0] * x, wy = q[0] * y, wz = q[0] * z;
-  const T xx = q[1] * x, xy = q[1] * y, xz = q[1] * z, yy = q[2] * y, yz = q[2] * z, zz = q[3] * z;
-  return {Vec<T, 3>(T(1) - (yy + zz), xy - wz, xz + wy), Vec<T, 3>(xy + wz, T(1) - (xx + zz), yz - wx),
-          Vec<T, 3>(xz - wy, yz + wx, T(1) - (xx + yy))};
-}
 
 // Returns the most by which a blend deviates, as a share of A.
 [[gnu::always_inline]] inline S deviation_share(const S& c) { return root(squared_deviation_share(c)); }

@@ -2,6 +2,7 @@
 #include "algorithms/runtime/collide/motion_bound_piece_kernel.hpp"
 
 #include "algorithms/runtime/collide/motion_bound_lanes.hpp"
+#include "lemmas/a1_affine_image.hpp"
 
 namespace refitlab::REFITLAB_TARGET {
 namespace {
@@ -19,11 +20,11 @@ template <int slots, bool deviates, bool few, class Merge>
 #pragma GCC unroll 8
   for (int k = 0; k < slots; ++k) {
     const Transform joint = joints.of_lanes(pack.ball.joint[k] + first);
-    const std::array<Point, 3> turn = matrix_of(joint.rotation);
+    const std::array<Point, 3> turn = rotation_rows(joint.rotation);
     Point at_f;
     Box<S> around;
     for (int i = 0; i < 3; ++i) {
-      const S about = abs(turn[i][0]) * half[0] + abs(turn[i][1]) * half[1] + abs(turn[i][2]) * half[2];
+      const S about = image_half_extent(turn[i], half);
       const S at_middle = dot(turn[i], middle) + joint.translation[i];
       at_f[i] = dot(turn[i], f) + joint.translation[i];
       around.low[i] = at_middle - about, around.high[i] = at_middle + about;

@@ -24,10 +24,12 @@ using Pack = std::experimental::simd<T, std::experimental::simd_abi::deduce_t<T,
 template <class T, class Abi>
 struct NumberTraits<std::experimental::simd<T, Abi>> {
   using S = std::experimental::simd<T, Abi>;
+  using Lane = T;
   static S square(const S& x) { return x * x; }
   static S sqrt(const S& x) { return std::experimental::sqrt(x); }
   static S max(const S& a, const S& b) { return std::experimental::max(a, b); }
   static S min(const S& a, const S& b) { return std::experimental::min(a, b); }
+  static S absolute(const S& x) { return std::experimental::abs(x); }
   static S choose(const typename S::mask_type& first, const S& a, const S& b) {
 #if defined(__clang__) && defined(__AVX512F__)
     // This is for targets on which libstdc++ 12's where() assigns nothing.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "proptests/thrown.hpp"
+#include "proptests/harness/thrown.hpp"
 
 #include <dlfcn.h>
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 namespace proptests {
 

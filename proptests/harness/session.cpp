@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "proptests/session.hpp"
+#include "proptests/harness/session.hpp"
 
 #include <cstdio>
 #include <iostream>

@@ -9,7 +9,7 @@
 #include <functional>
 #include <stdexcept>
 
-namespace proptests::gen {
+namespace proptests {
 
 class ChildProcess {
  public:
@@ -46,4 +46,4 @@ class ChildProcess {
   bool ended_ = false, good_ = false;
 };
 
-}  // namespace proptests::gen
+}  // namespace proptests

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "proptests/workers.hpp"
+#include "proptests/harness/workers.hpp"
 
 #include <unistd.h>
 
@@ -14,8 +14,8 @@
 #include <system_error>
 
 #include "algorithms/results/write_whole.hpp"
-#include "proptests/gen/child_process.hpp"
-#include "proptests/gen/temporary_folder.hpp"
+#include "proptests/harness/child_process.hpp"
+#include "proptests/harness/temporary_folder.hpp"
 
 namespace proptests {
 
@@ -70,7 +70,7 @@ std::string json_text(const SuiteResult& result) {
 
 std::vector<SuiteResult> run_in_processes(const std::vector<std::string>& stems, int workers,
                                           const std::function<SuiteResult(const std::string&)>& run) {
-  const gen::TemporaryFolder folder;
+  const TemporaryFolder folder;
   Numbers waiting, ended;
   const auto work = [&] {
     waiting.no_more();
@@ -84,8 +84,8 @@ std::vector<SuiteResult> run_in_processes(const std::vector<std::string>& stems,
     }
   };
   std::cout.flush(), std::fflush(stdout);  // or each process would print it again
-  std::vector<std::unique_ptr<gen::ChildProcess>> processes;
-  for (int k = 0; k < workers; ++k) processes.push_back(std::make_unique<gen::ChildProcess>(work));
+  std::vector<std::unique_ptr<ChildProcess>> processes;
+  for (int k = 0; k < workers; ++k) processes.push_back(std::make_unique<ChildProcess>(work));
   for (unsigned number = 0; number < stems.size(); ++number) waiting.put(number);
   waiting.no_more(), ended.no_more();
 

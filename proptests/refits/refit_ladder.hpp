@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "lemmas/exact/ladder.hpp"
-#include "proptests/oracles/root_ball.hpp"
+#include "proptests/refits/root_ball.hpp"
 
 namespace proptests::oracle {
 

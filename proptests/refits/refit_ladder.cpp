@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "proptests/oracles/refit_ladder.hpp"
+#include "proptests/refits/refit_ladder.hpp"
 
 #include <cstdio>
 

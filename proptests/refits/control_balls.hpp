@@ -11,7 +11,7 @@
 #include "algorithms/runtime/skinning/rotation_center.hpp"
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "proptests/gen/skinned_samples.hpp"
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 #include "proptests/oracles/hull_of_balls.hpp"
 #include "proptests/oracles/rational_root.hpp"  // the control points need no root, only the fallback does
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "proptests/oracles/root_ball.hpp"
+#include "proptests/refits/root_ball.hpp"
 
 #include "algorithms/runtime/skinning/blend.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"

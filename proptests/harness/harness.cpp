@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "proptests/harness.hpp"
+#include "proptests/harness/harness.hpp"
 
 #include <chrono>
 #include <iostream>
 #include <sstream>
 
-#include "proptests/session.hpp"
+#include "proptests/harness/session.hpp"
 
 namespace proptests {
 namespace {

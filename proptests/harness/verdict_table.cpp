@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "proptests/verdict_table.hpp"
+#include "proptests/harness/verdict_table.hpp"
 
 #include "algorithms/results/result_file.hpp"
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-namespace proptests::gen {
+namespace proptests {
 
 class TemporaryFolder {
  public:
@@ -27,4 +27,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace proptests::gen
+}  // namespace proptests

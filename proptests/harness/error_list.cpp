@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "proptests/error_list.hpp"
+#include "proptests/harness/error_list.hpp"
 
 #include <algorithm>
 #include <filesystem>
