@@ -6,7 +6,6 @@
 #include <iostream>
 #include <set>
 
-#include "algorithms/bake/bake.hpp"
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/deformations/deformations.hpp"
 #include "experiments/engines/engines.hpp"
@@ -24,6 +23,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/resume/resume.hpp"
 #include "experiments/run_file.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/speed/batch.hpp"
 #include "experiments/speed/speed.hpp"
 #include "experiments/tightness/worst_twist.hpp"
@@ -65,7 +65,7 @@ void run_on(Model&& model, std::size_t index, std::size_t models, const Options&
   std::cout << "== " << model.name << ": " << model.vertices.size() << " vertices, " << model.triangles.size() << " triangles, "
             << model.joints.size() << " joints, " << model.clips.size() << " clips" << std::endl;
   const std::string identity = identify(model), of_model = " of " + model.name;
-  const auto character = bake(std::move(model));
+  const auto character = bake_animated(std::move(model));
   const NamedPose twist = figure_twist(character);
   // This takes seconds, so it is done when it is first asked for, which a resumed run may never do.
   const auto worst = std::async(std::launch::deferred, worst_twist, std::cref(character)).share();

@@ -41,14 +41,13 @@ Character bake(SkinnedMesh mesh, const TreeOptions& options, std::initializer_li
   return c;
 }
 
-AnimatedCharacter bake(Model model, const TreeOptions& options, std::initializer_list<Pieces> pieces) {
+Character bake(Model model, const TreeOptions& options, std::initializer_list<Pieces> pieces) {
   const Joints joints = joints_of(model);
   return bake(std::move(model), options, pieces, joints);
 }
 
-AnimatedCharacter bake(Model model, const TreeOptions& options, std::initializer_list<Pieces> pieces, Joints joints) {
-  std::vector<Clip> clips = std::move(model.clips);
-  return {bake(skinned_mesh(std::move(model)), options, pieces, joints), std::move(clips)};
+Character bake(Model model, const TreeOptions& options, std::initializer_list<Pieces> pieces, Joints joints) {
+  return bake(skinned_mesh(std::move(model)), options, pieces, joints);
 }
 
 }  // namespace refitlab

@@ -18,13 +18,10 @@ inline constexpr std::initializer_list<Pieces> all_pieces{Pieces::joint_sets, Pi
 Character bake(SkinnedMesh mesh, const TreeOptions& tree = {}, std::initializer_list<Pieces> pieces = all_pieces,
                Joints joints = Joints::rigid);
 
-// An AnimatedCharacter is a character with the clips of the model that it was made from. It has the model's morph targets, mesh
-// after mesh, and pieces for joints as those of the clips are (joints_of).
-struct AnimatedCharacter : Character {
-  std::vector<Clip> clips;
-};
-AnimatedCharacter bake(Model model, const TreeOptions& tree = {}, std::initializer_list<Pieces> pieces = all_pieces);
+// Does the same for a model, with its morph targets, mesh after mesh, and with pieces for joints as those of its clips are
+// (joints_of).
+Character bake(Model model, const TreeOptions& tree = {}, std::initializer_list<Pieces> pieces = all_pieces);
 // Does the same with pieces for such joints, whatever those of the clips are.
-AnimatedCharacter bake(Model model, const TreeOptions& tree, std::initializer_list<Pieces> pieces, Joints joints);
+Character bake(Model model, const TreeOptions& tree, std::initializer_list<Pieces> pieces, Joints joints);
 
 }  // namespace refitlab

@@ -6,8 +6,8 @@
 
 #include "algorithms/certificate/limits.hpp"
 #include "algorithms/certificate/pairs_certificate.hpp"
-#include "algorithms/model/guarded_load.hpp"
 #include "algorithms/program/command.hpp"
+#include "algorithms/program/guarded_load.hpp"
 #include "algorithms/program/json_text.hpp"
 #include "algorithms/program/posed_character.hpp"
 #include "algorithms/results/result_file.hpp"

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <ostream>
 
-#include "algorithms/model/guarded_load.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/program/command.hpp"
+#include "algorithms/program/guarded_load.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/mesh/joint_sets.hpp"
 #include "algorithms/runtime/tree/baked_file.hpp"

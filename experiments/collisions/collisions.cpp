@@ -14,6 +14,7 @@
 #include "experiments/baselines/brute_force.hpp"
 #include "experiments/collisions/detectors.hpp"
 #include "experiments/collisions/on_demand.hpp"
+#include "experiments/scenes/animated_character.hpp"
 
 namespace refitlab {
 namespace {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "experiments/collisions/scenarios.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/speed/timing.hpp"
 
 namespace refitlab {

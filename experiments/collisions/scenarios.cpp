@@ -8,6 +8,7 @@
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/collisions/detectors.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/speed/statistics.hpp"
 
 namespace refitlab {

@@ -5,11 +5,12 @@
 #include <filesystem>
 #include <iostream>
 
-#include "algorithms/model/guarded_load.hpp"
+#include "algorithms/program/guarded_load.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "experiments/deformations/deformed_levels.hpp"
 #include "experiments/deformations/deforming.hpp"
 #include "experiments/deformations/deforming_man.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/scenes/skinning_name.hpp"
 
 namespace refitlab {
@@ -117,7 +118,7 @@ DeformationResult run_deformations(const Model& model, const DeformationSettings
   result.model = model.name;
   result.joints = static_cast<long>(model.joints.size());
   result.targets = morph_targets(model).count;
-  if (deforms_itself(model)) measure(bake(Model(model)), "own", own_poses(model, shares), result);
+  if (deforms_itself(model)) measure(bake_animated(model), "own", own_poses(model, shares), result);
   else if (!model.clips.empty()) measure_made_up(model, shares, settings, result);
   return result;
 }

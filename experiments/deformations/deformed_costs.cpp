@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "algorithms/runtime/refit/frame_refits.hpp"
+#include "experiments/scenes/animated_character.hpp"
 
 namespace refitlab {
 namespace {

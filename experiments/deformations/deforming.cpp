@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/runtime/balls/box.hpp"
+#include "experiments/scenes/animated_character.hpp"
 
 namespace refitlab {
 namespace {
@@ -56,7 +57,7 @@ DeformingCharacters::DeformingCharacters(const Model& model) {
   add_targets(morphed);
   for (const Joints joints : {Joints::rigid, Joints::affine}) {
     for (const Model& made : {model, morphed})
-      baked_[joints == Joints::affine ? 1 : 0].push_back(bake(Model(made), {}, all_pieces, joints));
+      baked_[joints == Joints::affine ? 1 : 0].push_back(bake_animated(made, {}, all_pieces, joints));
   }
 }
 

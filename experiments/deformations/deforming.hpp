@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "algorithms/bake/bake.hpp"
 #include "experiments/deformations/deformed_pose.hpp"
+#include "experiments/scenes/animated_character.hpp"
 
 namespace refitlab {
 

@@ -30,10 +30,10 @@ int leaves_hit(const Character& character, int node, const SkinningPalette<doubl
 
 int main(int argc, char** argv) try {
   // This happens once, when the character is loaded. It makes the sphere tree and the data of the refit.
-  const auto character = bake(argc > 1 ? load_model(argv[1]) : make_man());
+  const Model model = argc > 1 ? load_model(argv[1]) : make_man();
+  const Character character = bake(model);
   // Your engine's joint transforms go here: a rotation and a translation for each joint, from the reference pose.
-  const Pose pose =
-      character.clips.empty() ? reference_pose(character.mesh) : character.clips[0].sample(character.clips[0].duration / 4);
+  const Pose pose = model.clips.empty() ? reference_pose(model) : model.clips[0].sample(model.clips[0].duration / 4);
   const auto palette = make_skinning_palette(character.mesh, character.sets, pose, variant.skinning);
   const int hits = leaves_hit(character, 0, palette, {0, 1.2, 5}, {0, 0, -1});
   std::printf("a ray at the chest reaches %d leaves of %zu nodes\n", hits, character.tree.nodes.size());

@@ -9,6 +9,7 @@
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/explorer/packed_model.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/scenes/twist.hpp"
 #include "experiments/tightness/misses.hpp"
 
@@ -115,7 +116,7 @@ const std::vector<std::string>& shown_variants() {
 const AnimatedCharacter& Explorer::character(const std::string& model) {
   if (const auto known = characters_.find(model); known != characters_.end()) return known->second;
   for (const Maker& m : makers_)
-    if (m.name == model) return characters_.emplace(model, bake(m.make())).first->second;
+    if (m.name == model) return characters_.emplace(model, bake_animated(m.make())).first->second;
   throw std::invalid_argument("no model named '" + model + "'");
 }
 

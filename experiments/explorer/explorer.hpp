@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/bake/bake.hpp"
+#include "experiments/scenes/animated_character.hpp"
 
 namespace refitlab {
 

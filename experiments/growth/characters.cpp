@@ -14,11 +14,11 @@
 #include <tbb/task_arena.h>
 #endif
 
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/collide/crowd.hpp"
 #include "algorithms/runtime/collide/skinned_clusters.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 
 namespace refitlab {
 namespace {
@@ -130,7 +130,7 @@ CharacterGrowth measure(const ClusterTree& tree, const Clip& walk, int count, co
 }  // namespace
 
 std::vector<CharacterGrowth> run_character_growth(const SpeedSettings& settings) {
-  const auto man = bake(make_man());
+  const auto man = bake_animated(make_man());
   const ClusterTree tree(man);
   std::vector<CharacterGrowth> rows;
   for (const int count : {10, 30, 100, 300, 1000}) {

@@ -8,19 +8,19 @@
 #include <cstdio>
 #include <iostream>
 
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/balls/few_balls_ball.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/scenes/methods.hpp"
 
 namespace refitlab {
 namespace {
 
 JointGrowth measure(int joints, const SpeedSettings& speed) {
-  const auto snake = bake(make_snake(joints));
+  const auto snake = bake_animated(make_snake(joints));
   const Method& below = method(default_variant(Skinning::spherical).name + "_through_descendants");
   const RefitVariant& variant = *below.variant;
   const auto palette = make_skinning_palette(snake.mesh, snake.sets, snake.clips[0].sample(0.5), variant.skinning);

@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <iostream>
 
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "experiments/collisions/detectors.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/procedural/subdivide.hpp"
+#include "experiments/scenes/animated_character.hpp"
 
 namespace refitlab {
 namespace {
@@ -49,7 +49,7 @@ Model make(const Size& size) {
 
 std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& settings) {
   std::vector<Scenario> scenes;
-  for (Scenario& e : scenarios(bake(make_man()), settings.frames))
+  for (Scenario& e : scenarios(bake_animated(make_man()), settings.frames))
     if (std::find(std::begin(scene_names), std::end(scene_names), e.name) != std::end(scene_names))
       scenes.push_back(std::move(e));
   std::vector<const DetectorKind*> kinds;
@@ -59,7 +59,7 @@ std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& se
   const auto all = sizes(settings.subdivisions);
   int begun = 0;
   for (const Size& size : all) {
-    const auto man = bake(make(size));
+    const auto man = bake_animated(make(size));
     const int triangles = static_cast<int>(man.mesh.triangles.size());
     std::cout << "[growth] " << man.mesh.name << ", " << man.sets.count() << " joint-sets (" << ++begun << "/" << all.size()
               << ")" << std::endl;

@@ -7,6 +7,7 @@
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/collisions/scenarios.hpp"
 #include "experiments/pictures/character_scene.hpp"
+#include "experiments/scenes/animated_character.hpp"
 
 namespace refitlab {
 namespace {

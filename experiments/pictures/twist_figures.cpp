@@ -4,6 +4,7 @@
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/pictures/character_scene.hpp"
+#include "experiments/scenes/animated_character.hpp"
 
 namespace refitlab {
 namespace {

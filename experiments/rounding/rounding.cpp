@@ -14,6 +14,7 @@
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/verification/exact_skin.hpp"
+#include "experiments/scenes/animated_character.hpp"
 
 namespace refitlab {
 namespace {

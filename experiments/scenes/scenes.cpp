@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "algorithms/model/guarded_load.hpp"
+#include "algorithms/program/guarded_load.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/real_models.hpp"
 

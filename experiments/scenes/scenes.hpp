@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/bake/bake.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/scenes/twist.hpp"
 
 namespace refitlab {

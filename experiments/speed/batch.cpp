@@ -12,6 +12,7 @@
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/packed_vertices.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/scenes/animated_character.hpp"
 
 namespace refitlab {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/scenes/methods.hpp"
 
 namespace refitlab {

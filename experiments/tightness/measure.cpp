@@ -5,6 +5,7 @@
 #include "algorithms/methods/refit/deformed.hpp"
 #include "algorithms/runtime/refit/variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/scenes/methods.hpp"
 #include "experiments/tightness/add_balls.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "algorithms/bake/bake.hpp"
+#include "experiments/scenes/animated_character.hpp"
 
 namespace refitlab {
 

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "algorithms/results/result_file.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/scenes/methods.hpp"
 
 namespace refitlab {

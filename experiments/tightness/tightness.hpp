@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/tightness/measure.hpp"
 
 namespace refitlab {

@@ -11,6 +11,7 @@
 #include "algorithms/methods/refit/volume_variants.hpp"
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/tightness/measure.hpp"
 
 namespace refitlab {

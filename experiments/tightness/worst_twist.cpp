@@ -7,6 +7,7 @@
 #include "algorithms/bake/parallel.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/tightness/misses.hpp"
 
 namespace refitlab {

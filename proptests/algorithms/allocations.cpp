@@ -10,6 +10,7 @@
 #include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness/harness.hpp"
@@ -234,7 +235,7 @@ PROPTEST(allocations) {
     return Checked(list == 1 && wide == 1 && none == 0, 3);
   });
   t.example("a query takes nothing from the heap but its answer, once it was asked in each place", {}, [] {
-    const auto man = bake(make_man());
+    const auto man = bake_animated(make_man());
     const ClusterTree tree(man);
     ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical);
     bool ok = true;
@@ -263,7 +264,7 @@ PROPTEST(allocations) {
       "a frame of poses takes nothing from the heap after the first one, and a batch three times a "
       "kernel",
       {}, [] {
-        const auto man = bake(make_man());
+        const auto man = bake_animated(make_man());
         BatchRefit batch(man.tree, man.sets);
         const PalettePacks packs(man.mesh, man.sets, Skinning::spherical);
         SkinningPalette<double> palette;

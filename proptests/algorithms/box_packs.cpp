@@ -9,6 +9,7 @@
 #include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "lemmas/exact/lift.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/opposite_joints.hpp"
@@ -316,7 +317,7 @@ PROPTEST(box_packs) {
         return Checked(beyond > tried / 5, tried, std::to_string(beyond) + " a little more than a float away");
       });
   t.example("a walking man's boxes are tight in every skinning, and the same for every target", {}, [] {
-    const auto c = bake(make_man());
+    const auto c = bake_animated(make_man());
     const auto pose = c.clips[0].sample(0.3 * c.clips[0].duration);
     const std::vector<int> nodes = [&] {
       std::vector<int> out;

@@ -16,6 +16,7 @@
 #include "algorithms/verification/exact_skin.hpp"
 #include "algorithms/verification/synthetic_case.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/scenes/real_models.hpp"
 #include "proptests/counterexamples/algorithm1.hpp"
 #include "proptests/gen/bare_certified_node.hpp"
@@ -702,13 +703,13 @@ void nodes_have_accepted_certificates(Suite& t) {
       {.number_type = "double against rational", .cases = 60, .degenerate_at_least = 0.3, .degenerate_at_most = 0.85},
       check_affine_nodes);
   t.example("three nodes of the procedural man have certificates by every sound variant, and all are accepted", exact,
-            [] { return check_model(bake(make_man())); });
+            [] { return check_model(bake_animated(make_man())); });
   t.example("three nodes of the procedural creature have certificates by every sound variant, and all are accepted", exact,
-            [] { return check_model(bake(make_creature())); });
+            [] { return check_model(bake_animated(make_creature())); });
   for (const char* file : real_models)
     t.example("three nodes have certificates by every sound variant, and all are accepted: " + std::string(file), exact, [=] {
       const std::string path = std::string("out/models/") + file;
-      return std::filesystem::exists(path) ? check_model(bake(load_model(path))) : Checked::skip(path + " is not there");
+      return std::filesystem::exists(path) ? check_model(bake_animated(load_model(path))) : Checked::skip(path + " is not there");
     });
 }
 

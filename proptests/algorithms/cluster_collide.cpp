@@ -9,6 +9,7 @@
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/farthest_placement.hpp"
 #include "proptests/gen/random_pose.hpp"
@@ -94,7 +95,7 @@ RigidTransform<double> moved(double x, double y = 0, double z = 0) { return {ide
 
 // Two bodies of one man, and his walk.
 struct TwoMen {
-  const AnimatedCharacter man = bake(make_man());
+  const AnimatedCharacter man = bake_animated(make_man());
   const ClusterTree tree{man};
   const Clip& walk = man.clips[0];
   ClusterBody a{tree, Skinning::spherical}, b{tree, Skinning::spherical};
@@ -429,7 +430,7 @@ void what_is_counted(Suite& t) {
         return Checked(ok, 8);
       });
   t.example("a body counts the nodes that it bounds, and the clusters and vertices that it skins, each once a frame", {}, [] {
-    const auto man = bake(make_man());
+    const auto man = bake_animated(make_man());
     const ClusterTree tree(man);
     ClusterBody body(tree, Skinning::spherical);
     long nodes = 0, vertices = 0;
@@ -458,7 +459,7 @@ bool has_only_clusters(const ClusterTree& tree, int wide_node) {
 
 void when_clusters_are_rather_skinned(Suite& t) {
   t.example("a body that rather skins does so where a wide node has only clusters, and bounds the others", {}, [] {
-    const auto man = bake(make_man());
+    const auto man = bake_animated(make_man());
     const ClusterTree tree(man);
     ClusterBody body(tree, Skinning::spherical);
     long wrong = 0, skinned = 0, frames = 0;
@@ -481,7 +482,7 @@ void when_clusters_are_rather_skinned(Suite& t) {
   });
   t.example(
       "where it does, the parent's bound is cut to the box around what was skinned; a query cuts that of a cluster", {}, [] {
-        const auto man = bake(make_man());
+        const auto man = bake_animated(make_man());
         const ClusterTree tree(man, {.most_triangles = 32, .most_children = 5});
         ClusterBody body(tree, Skinning::spherical);
         const auto box = [&](ChildPlace at) { return get_box(body.wide_node_boxes(at.wide_node), at.child); };
@@ -514,7 +515,7 @@ void when_clusters_are_rather_skinned(Suite& t) {
                        std::to_string(wrong) + " wrong, " + std::to_string(deep));
       });
   t.example("a body of which a query has skinned several clusters in float rather skins from then on, in that frame", {}, [] {
-    const auto man = bake(make_man());
+    const auto man = bake_animated(make_man());
     const ClusterTree tree(man);
     int leaf = static_cast<int>(tree.wide_nodes().size()) - 1;
     while (!has_only_clusters(tree, leaf)) --leaf;
@@ -537,7 +538,7 @@ void when_clusters_are_rather_skinned(Suite& t) {
 
 void boxes_once_all_is_skinned(Suite& t) {
   t.example("once all is skinned, boxes are around skinned vertices, also where they were bounds before", {}, [] {
-    const auto man = bake(make_man());
+    const auto man = bake_animated(make_man());
     const ClusterTree tree(man, {.most_triangles = 32, .most_children = 5});
     ClusterBody body(tree, Skinning::spherical);
     long wrong = 0, boxes = 0, smaller = 0;

@@ -9,6 +9,7 @@
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/farthest_placement.hpp"
@@ -62,7 +63,7 @@ struct Men {
   long ball_tests, vertices, balls;
 };
 Men two_men(const char* variant, double distance, Query query) {
-  static const auto man = bake(make_man());
+  static const auto man = bake_animated(make_man());
   const RefitVariant& v = compared_variant(variant);
   Body a(man, v), b(man, v);
   const Clip& walk = man.clips[0];
@@ -165,7 +166,7 @@ void balls_that_are_apart_cost_one_test(Suite& t) {
   t.example(
       "the larger of two nodes is opened: of a man of two centimetres in front of another, only the root's ball is refitted", {},
       [] {
-        const auto man = bake(make_man());
+        const auto man = bake_animated(make_man());
         SkinnedMesh small = make_man();
         for (Point3& v : small.vertices) v *= 0.01;
         for (Joint& joint : small.joints) joint.origin *= 0.01;

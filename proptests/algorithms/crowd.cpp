@@ -10,6 +10,7 @@
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -94,7 +95,7 @@ void contacts_are_those_of_all_pairs(Suite& t) {
       "a dense crowd, each body in work with most others at once, is the same on many threads as on one, and nothing is "
       "worked out twice",
       {}, [] {
-        const auto man = bake(make_man());
+        const auto man = bake_animated(make_man());
         const ClusterTree tree(man);
         constexpr int count = 12;
         constexpr long frames = 16;
@@ -203,7 +204,7 @@ void check_crowd_of_all_kinds() {
 
 void in_another_order(Suite& t) {
   t.example("workers that take the tasks in another order find the same contacts", {}, [] {
-    const auto man = bake(make_man());
+    const auto man = bake_animated(make_man());
     const ClusterTree tree(man);
     ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical), c(tree, Skinning::spherical),
         d(tree, Skinning::spherical);

@@ -9,6 +9,7 @@
 #include "experiments/deformations/deformed_levels.hpp"
 #include "experiments/deformations/deforming.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_deformed_tightness {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/speed/statistics.hpp"
 #include "experiments/tightness/add_balls.hpp"
 #include "proptests/harness/harness.hpp"
@@ -26,7 +27,7 @@ double middle_of(std::vector<double> values) {
 }
 
 const AnimatedCharacter& man() {
-  static const AnimatedCharacter made = bake(make_man(1034), {.triangles_per_leaf = 16}, {});
+  static const AnimatedCharacter made = bake_animated(make_man(1034), {.triangles_per_leaf = 16}, {});
   return made;
 }
 

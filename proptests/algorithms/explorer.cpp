@@ -12,6 +12,7 @@
 #include "experiments/explorer/packed_model.hpp"
 #include "experiments/explorer/pages/all.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/scenes/twist.hpp"
 #include "experiments/tightness/misses.hpp"
 #include "lemmas/exact/exact.hpp"

@@ -32,6 +32,7 @@
 #include "algorithms/verification/score.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/procedural/subdivide.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "proptests/gen/animated_model.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/float_mode.hpp"
@@ -93,7 +94,7 @@ constexpr Skinning skinnings[] = {Skinning::linear, Skinning::spherical, Skinnin
 
 // What the entries are asked about; made in the default mode.
 struct World {
-  AnimatedCharacter character = bake(snake_with_denormals(), {.triangles_per_leaf = 4});
+  AnimatedCharacter character = bake_animated(snake_with_denormals(), {.triangles_per_leaf = 4});
   Pose pose = character.clips[0].sample(0.3);
   SkinningPalette<double> palette = make_skinning_palette(character.mesh, character.sets, pose, Skinning::spherical);
   std::vector<Point3> deformed = skin(character.mesh, character.sets, palette, Skinning::spherical);

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "algorithms/model/gltf_scene.hpp"
-#include "algorithms/model/guarded_load.hpp"
+#include "algorithms/program/guarded_load.hpp"
 #include "proptests/gen/broken_rigs.hpp"
 #include "proptests/gen/random_rig.hpp"
 #include "proptests/gen/two_bone_x.hpp"

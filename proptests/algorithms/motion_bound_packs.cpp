@@ -9,6 +9,7 @@
 #include "algorithms/runtime/collide/cluster_body.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "lemmas/b7_motion_bound.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
@@ -319,7 +320,7 @@ void tiny_models_and_tight_boxes(Suite& t) {
     }
   });
   t.example("the clusters of a walking man have boxes little larger than their vertices'", {}, [] {
-    const auto man = bake(make_man());
+    const auto man = bake_animated(make_man());
     const ClusterTree tree(man, {.most_children = 96});  // one wide node
     const int count = tree.wide_nodes()[0].child_count;
     std::string text = "sum of widths over that of the vertices' boxes: ";

@@ -13,6 +13,7 @@
 #include "algorithms/certificate/limits.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/runtime/collide/cluster_collide.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "proptests/gen/posed_bodies.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -86,7 +87,7 @@ Checked check_query(const Character& c, const Pose& pose, const Pose& other, Ski
 Checked check_file(const std::string& file) {
   const std::string path = "out/models/" + file;
   if (!std::filesystem::exists(path)) return Checked::skip(path + " is not there");
-  const AnimatedCharacter c = bake(load_model(path));
+  const AnimatedCharacter c = bake_animated(load_model(path));
   const Clip& clip = c.clips.at(0);
   return check_query(c, clip.sample(0.25 * clip.duration), clip.sample(0.75 * clip.duration), Skinning::linear, {0.3, 0, 0.1});
 }

@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <random>
 
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/balls/mean_ball.hpp"
@@ -17,6 +16,7 @@
 #include "algorithms/runtime/refit/dual_quaternion.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/refit_case.hpp"
 #include "proptests/gen/skinned_samples.hpp"
@@ -390,7 +390,7 @@ void check_no_miss(Skinning skinning) {
 // All nodes of a model in a pose: what a variant adds to its ball is at least what its pieces' rates ask for; and the
 // node's reference ball, and that of one of its joint-set's pieces, have each vertex, exactly.
 Checked check_nodes() {
-  const auto c = bake(make_snake(24));
+  const auto c = bake_animated(make_snake(24));
   const Pose pose = c.clips[0].sample(0.37 * c.clips[0].duration);
   long pieces = 0, vertices_alone = 0, too_little = 0, outside = 0;
   for (const RefitVariant& variant : compared_variants()) {

@@ -7,7 +7,6 @@
 #include <map>
 #include <random>
 
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/model/load.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
@@ -15,6 +14,7 @@
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/verification/exact_skin.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/scenes/real_models.hpp"
 #include "proptests/gen/wide_character.hpp"
 #include "proptests/harness/harness.hpp"
@@ -56,7 +56,7 @@ std::vector<int> some_nodes(const Character& c, std::mt19937& random) {
 }
 
 Checked check_model(Model model) {
-  const auto c = bake(std::move(model));
+  const auto c = bake_animated(std::move(model));
   std::mt19937 random(2006);
   std::map<std::string, Tally> tallies;
   for (const Pose& pose : poses_of(c))

@@ -88,7 +88,7 @@ Checked check_quoted_names() {
 }
 
 const AnimatedCharacter& man() {
-  static const AnimatedCharacter character = bake(make_man());
+  static const AnimatedCharacter character = bake_animated(make_man());
   return character;
 }
 

@@ -9,6 +9,7 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/opposite_joints.hpp"
@@ -207,7 +208,7 @@ void slacks_of_placements_and_of_a_walking_man(Suite& t) {
     return Checked(ok && largest > 0.2, 2, std::to_string(largest) + " of the slack");
   });
   t.example("of a walking man all is skinned in float, and what is lost is no small share of the slack", {}, [] {
-    const auto man = bake(make_man());
+    const auto man = bake_animated(make_man());
     const ClusterTree tree(man);
     SkinnedClusters body(tree, Skinning::spherical);
     Compared all;
@@ -233,7 +234,7 @@ PROPTEST(skinned_clusters) {
   floats_by_every_target(t);
   slacks_of_placements_and_of_a_walking_man(t);
   t.example("single triangles have the very doubles, and clusters and vertices are counted once a frame", {}, [] {
-    const auto man = bake(make_man());
+    const auto man = bake_animated(make_man());
     const ClusterTree tree(man);
     SkinnedClusters body(tree, Skinning::spherical);
     const Pose pose = man.clips[0].sample(0.3);

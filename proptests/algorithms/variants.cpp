@@ -12,6 +12,7 @@
 #include "algorithms/runtime/refit/dual_quaternion.hpp"
 #include "algorithms/runtime/refit/linear.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness/harness.hpp"
 
@@ -109,7 +110,7 @@ std::string fault_of_piece_counts(const Character& c, const SkinningPalette<doub
 
 // The snake in its wave.
 struct Posed {
-  AnimatedCharacter character = bake(make_snake(24));
+  AnimatedCharacter character = bake_animated(make_snake(24));
   SkinningPalette<double> palette(Skinning skinning) const {
     return make_skinning_palette(character.mesh, character.sets, character.clips[0].sample(0.37), skinning);
   }

@@ -16,6 +16,7 @@
 #include "experiments/deformations/deforming_man.hpp"
 #include "experiments/deformations/reduced_basis.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness/harness.hpp"
@@ -139,7 +140,7 @@ bool vibrates(int frames) {
 // Of a model that deforms itself, linearly skinned vertices are the matrices of its file's joints times displaced vertices; other
 // skinning has the same displacements, and the scales.
 bool frames_have_the_whole_pose(const Model& model, double share) {
-  const AnimatedCharacter c = bake(Model(model), {}, {});
+  const AnimatedCharacter c = bake_animated(model, {}, {});
   const std::array<double, 1> shares = {share};
   const DeformedPose pose = own_poses(model, shares).at(0);
   const Clip& clip = model.clips.at(0);

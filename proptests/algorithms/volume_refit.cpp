@@ -6,10 +6,10 @@
 #include <cmath>
 #include <thread>
 
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/methods/refit/volume_variants.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/rational_root.hpp"
@@ -101,7 +101,7 @@ void check_double() {
 
 // Every node of a model in a pose, by two threads at once: each volume holds all of the node's deformed vertices.
 Checked check_model(Model model, Skinning skinning) {
-  const auto c = bake(std::move(model));
+  const auto c = bake_animated(std::move(model));
   const Clip& clip = c.clips.back();
   const auto palette = make_skinning_palette(c.mesh, c.sets, clip.sample(0.8 * clip.duration), skinning);
   const auto deformed = skin(c.mesh, c.sets, palette, skinning);

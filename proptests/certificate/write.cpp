@@ -14,6 +14,7 @@
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "algorithms/results/write_whole.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/real_models.hpp"
@@ -30,9 +31,9 @@ class Writer {
 
   void run() {
     std::vector<AnimatedCharacter> characters;
-    for (const Model& model : {make_snake(5), make_man(), make_creature()}) characters.push_back(bake(model));
+    for (const Model& model : {make_snake(5), make_man(), make_creature()}) characters.push_back(bake_animated(model));
     const std::size_t procedural = characters.size();
-    gen::for_each_real_model(std::cout, [&](Model model) { characters.push_back(bake(std::move(model))); });
+    gen::for_each_real_model(std::cout, [&](Model model) { characters.push_back(bake_animated(std::move(model))); });
     while (left_ > 0) {
       const std::size_t which = pick(characters.size() + 15);
       const long left = left_;

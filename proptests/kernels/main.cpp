@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <cstring>
 
-#include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/packed_vertices.hpp"
 #include "algorithms/runtime/batch/palette_packs.hpp"
@@ -14,6 +13,7 @@
 #include "algorithms/runtime/collide/triangles_meet.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 
 using namespace refitlab;
 
@@ -91,7 +91,7 @@ bool pairs_agree(const Character& c, const Pose& pose, Skinning skinning) {
 }  // namespace
 
 int main() {
-  const auto man = bake(make_man(1034));
+  const auto man = bake_animated(make_man(1034));
   const Pose pose = man.clips[0].sample(0.3 * man.clips[0].duration);
   int failed = 0;
   for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {

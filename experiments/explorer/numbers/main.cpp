@@ -15,6 +15,7 @@
 #include "experiments/explorer/packed_model.hpp"
 #include "experiments/explorer/pages/all.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/scenes/twist.hpp"
 #include "experiments/tightness/measure.hpp"
 #include "lemmas/exact/exact.hpp"
@@ -33,11 +34,11 @@ std::map<std::string, Model>& packed_models() {
 const AnimatedCharacter& character(const std::string& name) {
   static std::map<std::string, AnimatedCharacter> made;
   if (const auto packed = packed_models().find(name); packed != packed_models().end() && !made.count(name))
-    made.emplace(name, bake(packed->second));
+    made.emplace(name, bake_animated(packed->second));
   if (const auto known = made.find(name); known != made.end()) return known->second;
-  return made.emplace(name, bake(name == "man"        ? make_man()
-                                 : name == "creature" ? make_creature()
-                                                      : make_snake(24)))
+  return made.emplace(name, bake_animated(name == "man"        ? make_man()
+                                          : name == "creature" ? make_creature()
+                                                               : make_snake(24)))
       .first->second;
 }
 

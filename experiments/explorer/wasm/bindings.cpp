@@ -10,6 +10,7 @@
 #include "algorithms/methods/refit/compared_variants.hpp"
 #include "experiments/explorer/explorer.hpp"
 #include "experiments/explorer/pages/all.hpp"
+#include "experiments/scenes/animated_character.hpp"
 #include "experiments/scenes/twist.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/model/guarded_load.hpp"
+#include "algorithms/program/guarded_load.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>
