@@ -60,7 +60,7 @@ template <class S>
 RotationBound<S> bound_rotations(std::span<const Quaternion<S>> unit, const Quaternion<S>& direction) {
   const S squared_length = squared_norm(direction), half_sphere = constant<S>(squared_half_chord_of_half_sphere);
   const auto is_nonzero = is_certainly_nonzero(squared_length);
-  const Quaternion<S> apex = direction / root(choose(is_nonzero, squared_length, S(1)));
+  const Quaternion<S> apex = direction * (S(1) / root(choose(is_nonzero, squared_length, S(1))));
   const S s2 = squared_half_chord(unit, apex);
   const auto is_cap = is_nonzero && certainly_less(s2, half_sphere);
   return bound_of_cap<S>(choose(is_cap, apex, identity_quaternion<S>()), choose(is_cap, s2, half_sphere));

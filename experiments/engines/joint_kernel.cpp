@@ -32,7 +32,7 @@ struct MatrixRow {
   [[gnu::always_inline]] MatrixRow(const float* matrices, int i)
       : row(load_row(matrices, 4 * i)),
         translation(load(matrices + (4 * i + 3) * block_lanes)) {}
-  [[gnu::always_inline]] S image(const Point& p) const { return dot(row, p) + translation; }
+  [[gnu::always_inline]] S image(const Point& p) const { return row[0] * p[0] + (row[1] * p[1] + (row[2] * p[2] + translation)); }
   [[gnu::always_inline]] S extent(const Point& half) const { return image_half_extent(row, half); }
 };
 

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "algorithms/results/run_folder.hpp"
 #include "experiments/resume/fields.hpp"
+#include "experiments/resume/run_folder.hpp"
 
 namespace refitlab {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One run at a time in a folder, however the last one ended.
-#include "algorithms/results/folder_lock.hpp"
+#include "experiments/resume/folder_lock.hpp"
 
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Units of a run: found again only if nothing about them changed, and a run killed at any moment resumes.
-#include "algorithms/results/run_folder.hpp"
+#include "experiments/resume/run_folder.hpp"
 
 #include <chrono>
 #include <fstream>

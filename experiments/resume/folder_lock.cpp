@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-#include "algorithms/results/folder_lock.hpp"
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/resume/folder_lock.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

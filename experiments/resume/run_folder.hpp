@@ -1,11 +1,11 @@
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A RunFolder keeps the finished units of a run, so that a run that was stopped resumes where it was.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "algorithms/results/folder_lock.hpp"
+#include "experiments/resume/folder_lock.hpp"
 
 namespace refitlab {
 

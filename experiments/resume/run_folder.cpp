@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-#include "algorithms/results/run_folder.hpp"
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/resume/run_folder.hpp"
 
 #include <cctype>
 #include <filesystem>
