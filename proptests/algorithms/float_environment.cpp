@@ -443,8 +443,6 @@ const std::vector<std::string> without_environment{
     "tree/sphere_tree.cpp",
     "collide/exact_number.cpp",
     "collide/float_palettes.cpp",
-    "results/folder_lock.cpp",
-    "results/run_folder.cpp",
     "results/write_whole.cpp",  // no floating-point arithmetic
 };
 
