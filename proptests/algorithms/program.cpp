@@ -1452,13 +1452,15 @@ void words_in_the_wrong_place(Suite& t) {
               const bool good =
                   fails(2, {"bake", in, out, "--json", "--quiet"}, "--json takes a value, and --quiet is an option") &&
                   fails(2, {"collide", rigid, rigid, "--clip-a", "--time-a", "0"}, "--clip-a takes a value, and --time-a is") &&
+                  fails(2, {"collide", "--at", "0", "0", "0", rigid, rigid},
+                        "finite, and A and B come before it; it was given 0 0 0 " + rigid + " " + rigid) &&
                   fails(3, {"collide", rigid, rigid, "--clip-a=--pairs"}, "clip '--pairs': there is no such clip") &&
                   fails(3, {"collide", rigid, rigid, "--clip-a", "a\nb"}, "clip 'a\\x0ab': there is no such clip") &&
                   fails(3, {"bake", "--json", folder.file(""), in, out}, "cannot replace") &&
                   fails(3, {"bake", "--report", folder.file(""), in, out}, "cannot replace") &&
                   fails(3, {"bake", "--certificate", folder.file(""), in, out}, "cannot replace") &&
                   fails(3, {"collide", rigid, folder.file("")}, "is no regular file that can be read");
-              return Checked(good, 8, wrong);
+              return Checked(good, 9, wrong);
             });
 }
 
