@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: MIT
 # Finds MPFI, which comes without a package file of its own: the imported target MPFI::MPFI.
 find_library(MPFI_LIBRARY mpfi)
 find_path(MPFI_INCLUDE_DIR mpfi.h)

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the paper takes from the tables of results: numbers by name, tables, and the data of plots."""
+import pathlib
+import re
+
 import report_package  # noqa: F401
 from formats import broken_name, digits, escaped, long_table, power_of_ten, table, whole_number
 from report import collisions, deformations, engines, growth, original, over_time, statements
@@ -7,7 +10,8 @@ from report.statistics import mean, span
 from report.tables import ALL, ResultError
 from report.verdicts import of_lemma, said_of_claims, summed_up
 
-MODELS = ["man", "creature", "BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"]
+REAL_MODELS = re.findall(r'"([^"]+\.\w+)"', (pathlib.Path(__file__).resolve().parents[1] / "experiments/scenes/real_models.hpp").read_text())
+MODELS = ["man", "creature", *REAL_MODELS]
 SCENES = ["far", "near", "light", "heavy", "worst"]
 CLOSE_SCENES = ["near", "light", "heavy"]  # of those that grow; far is a matter of the broad phase
 GROWN_SCENES = ["far", *CLOSE_SCENES]

@@ -36,6 +36,10 @@ struct BakeCall {
   bool with_character = true, with_nodes = false;
 };
 
+// Bounds are wider by 2^-19 of the distance from the origin, for what a renderer rounds (ModelBoundsOptions), which is more than this
+// share of their volume. A search for less than that would halve its intervals tens of thousands of times, for nothing.
+constexpr double least_tolerance = 1e-6;
+
 po::options_description options() {
   po::options_description description("options");
   description.add_options()("help", "this text")("for", po::value<std::string>()->default_value("clip"),
@@ -49,7 +53,7 @@ po::options_description options() {
       "6, 14, 18 or 26: bounds are k-DOPs of as many planes, of which the box is a part")(
       "nodes", "bound each node of the character's tree, too; in clips alone")(
       "no-character", "leave out the character for refits on demand, which takes most of the memory and of the file")(
-      "tolerance", po::value<double>()->default_value(0.01), "how much larger than needed a volume may be")(
+      "tolerance", po::value<double>()->default_value(0.01), "how much larger than needed a volume may be: from 1e-6 to 1")(
       "crossfade-tolerance", po::value<double>()->default_value(0.2, "0.2"), "the same of crossfades")(
       "rotations", po::value<std::string>()->default_value("slerp"),
       "slerp or nlerp: how crossfades blend rotations, on the shorter way; all else they blend linearly")(
@@ -96,7 +100,9 @@ BakeCall parse(const po::variables_map& map) {
   for (const auto& [name, tolerance] :
        {std::pair("tolerance", &call.bounds.tolerance), std::pair("crossfade-tolerance", &call.bounds.crossfade_tolerance)}) {
     *tolerance = map[name].as<double>();
-    if (!(*tolerance > 0 && *tolerance <= 1)) throw UsageError("--" + std::string(name) + " takes a number above 0, and up to 1");
+    if (!(*tolerance >= least_tolerance && *tolerance <= 1))
+      throw UsageError("--" + std::string(name) +
+                       " takes a number from 1e-6 to 1; bounds leave more room than that for rounding");
   }
   if (call.out.empty()) throw UsageError("OUT.glb takes a file");
   check_written({{"IN.glb", call.in}, {"OUT.glb", call.out}}, written_beside(map));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <boost/lexical_cast/try_lexical_convert.hpp>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -46,6 +48,22 @@ std::string posed_name(const std::string& file, const po::variables_map& map, co
   return name + ", clip " + clip + " at " + std::to_string(map["time-" + side].as<double>()) + " s";
 }
 
+// A Place is where a character stands. Boost gives validate all words behind the option up to the next one.
+struct Place {
+  Point3 at;
+};
+
+void validate(boost::any& value, const std::vector<std::string>& words, Place*, int) {
+  Place out;
+  bool is_place = words.size() == 3;
+  for (int i = 0; i < 3; ++i)
+    is_place = is_place && boost::conversion::try_lexical_convert(words[i], out.at[i]) && std::isfinite(out.at[i]);
+  std::string given;
+  for (const std::string& word : words) given += " " + word;
+  if (!is_place) throw UsageError("--at takes three numbers that are finite, and A and B come before it; it was given" + given);
+  value = out;
+}
+
 po::options_description collide_options() {
   po::options_description description("options");
   const auto add = [&](const char* name, const char* text, auto... value) { description.add_options()(name, value..., text); };
@@ -56,7 +74,7 @@ po::options_description collide_options() {
         po::value<std::string>()->default_value(""));
     add(("time-" + side).c_str(), "seconds", po::value<double>()->default_value(0));
   }
-  add("at", "x, y and z: where B stands; A and B come before it", po::value<std::vector<double>>()->multitoken());
+  add("at", "x, y and z: where B stands; A and B come before it", po::value<Place>()->multitoken());
   add("skinning", "linear, dual-quaternion or spherical", po::value<std::string>()->default_value("linear"));
   add("pairs", "list the pairs");
   add("json", "write the pairs to this file", po::value<std::string>());
@@ -90,11 +108,7 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
   }
   const Skinning skinning = skinning_of(map["skinning"].as<std::string>());
   RigidTransform<double> here{{1, 0, 0, 0}, {0, 0, 0}}, there = here;
-  if (map.count("at")) {
-    const auto& at = map["at"].as<std::vector<double>>();
-    if (at.size() != 3 || !Point3(at[0], at[1], at[2]).allFinite()) throw UsageError("--at takes three numbers that are finite");
-    there.translation = {at[0], at[1], at[2]};
-  }
+  if (map.count("at")) there.translation = map["at"].as<Place>().at;
   const auto posed = [&](const std::string& file, const char* side) {
     Model model = load_model_guarded(file, {.joints = Joints::affine, .morphs = Morphs::moving});
     print_notes(model.name, model.notes, errors);

@@ -879,7 +879,9 @@ void half_turns_intervals_and_what_is_no_certificate(Suite& t) {
     }
     const std::string listed = certified.judged_against(glb_of({{json_chunk, "[]"}}, "list.glb"));
     if (!is_unreadable_for(listed, "the file's description is no object")) wrong += listed;
-    return Checked(wrong.empty(), static_cast<long>(texts.size()) + 5, wrong);
+    const std::string marked = certified.judged_with([](auto& chunks) { chunks[0].data.insert(0, "\xef\xbb\xbf"); });
+    if (!is_unreadable_for(marked, "the file's JSON begins with a byte order mark, which is to be left out")) wrong += marked;
+    return Checked(wrong.empty(), static_cast<long>(texts.size()) + 6, wrong);
   });
 }
 

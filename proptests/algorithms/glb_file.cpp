@@ -64,6 +64,15 @@ PROPTEST(glb_file) {
     }
     return Checked(good && is_refused(uneven) && is_refused(bytes.substr(0, 12)), 10);
   });
+  t.example("JSON that begins with a byte order mark is refused, as the checker of certificates refuses it", {}, [] {
+    std::string refusal;
+    try {
+      read_glb(glb_of({{json_chunk, "\xef\xbb\xbf{}"}}, "test.glb"), "test.glb");
+    } catch (const ModelError& error) {
+      refusal = error.what();
+    }
+    return Checked(refusal == "test.glb: chunk 0: its JSON begins with a byte order mark, which is to be left out", 1, refusal);
+  });
 }
 
 }  // namespace proptests::suite_glb_file

@@ -1136,12 +1136,13 @@ void numbers_beyond_either_end(Suite& t) {
       }
     };
     const std::vector<std::string> bake = {"bake", "--quiet", in, out}, check = {"check", baked},
-                                   fade = {"bake", "--for", "crossfade", in, out}, none = {"-1", "0", "1.001", "nan", "inf"};
+                                   fade = {"bake", "--for", "crossfade", in, out},
+                                   none = {"-1", "0", "1e-300", "9.9e-7", "1.001", "nan", "inf"};
     says(2, bake, "--clusters", {"-4", "1", "3", "510", "516"}, "a multiple of 4 from 4 to 512, or 0");
     says(0, bake, "--clusters", {"0", "4", "512"}, "");
-    says(2, bake, "--tolerance", none, "--tolerance takes a number above 0, and up to 1");
-    says(0, bake, "--tolerance", {"1"}, "");
-    says(2, fade, "--crossfade-tolerance", none, "--crossfade-tolerance takes a number above 0, and up to 1");
+    says(2, bake, "--tolerance", none, "--tolerance takes a number from 1e-6 to 1; bounds leave more room");
+    says(0, bake, "--tolerance", {"1e-6", "1"}, "");
+    says(2, fade, "--crossfade-tolerance", none, "--crossfade-tolerance takes a number from 1e-6 to 1; bounds leave more room");
     says(2, bake, "--dop", {"-6", "0", "4", "10", "28"}, "--dop takes 6, 14, 18 or 26");
     says(2, check, "--samples", {"-1", "0", "10000001", "2000000000"}, "--samples takes a number from 1 to 10000000");
     says(2, check, "--seed", {"-1", "4294967296", "-4294967296"}, "--seed takes a number from 0 to 4294967295");
@@ -1452,13 +1453,15 @@ void words_in_the_wrong_place(Suite& t) {
               const bool good =
                   fails(2, {"bake", in, out, "--json", "--quiet"}, "--json takes a value, and --quiet is an option") &&
                   fails(2, {"collide", rigid, rigid, "--clip-a", "--time-a", "0"}, "--clip-a takes a value, and --time-a is") &&
+                  fails(2, {"collide", "--at", "0", "0", "0", rigid, rigid},
+                        "finite, and A and B come before it; it was given 0 0 0 " + rigid + " " + rigid) &&
                   fails(3, {"collide", rigid, rigid, "--clip-a=--pairs"}, "clip '--pairs': there is no such clip") &&
                   fails(3, {"collide", rigid, rigid, "--clip-a", "a\nb"}, "clip 'a\\x0ab': there is no such clip") &&
                   fails(3, {"bake", "--json", folder.file(""), in, out}, "cannot replace") &&
                   fails(3, {"bake", "--report", folder.file(""), in, out}, "cannot replace") &&
                   fails(3, {"bake", "--certificate", folder.file(""), in, out}, "cannot replace") &&
                   fails(3, {"collide", rigid, folder.file("")}, "is no regular file that can be read");
-              return Checked(good, 8, wrong);
+              return Checked(good, 9, wrong);
             });
 }
 
@@ -1481,10 +1484,10 @@ void wrong_calls_and_files(Suite& t) {
                   fails(2, {"frob"}, "there is no command frob") &&
                   fails(2, {"bake", "--skinning", "cubic", in, out}, "there is no such skinning") &&
                   fails(2, {"bake", "--clusters", "5", in, out}, "a multiple of 4") &&
-                  fails(2, {"bake", "--tolerance", "0", in, out}, "a number above 0") &&
+                  fails(2, {"bake", "--tolerance", "0", in, out}, "a number from 1e-6 to 1") &&
                   fails(2, {"bake", "--for", "ever", in, out}, "there are clip, crossfade and any") &&
                   fails(2, {"bake", "--for", "crossfade", "--rotations", "linear", in, out}, "there are slerp and nlerp") &&
-                  fails(2, {"bake", "--for", "crossfade", "--crossfade-tolerance", "2", in, out}, "a number above 0") &&
+                  fails(2, {"bake", "--for", "crossfade", "--crossfade-tolerance", "2", in, out}, "a number from 1e-6 to 1") &&
                   fails(2, {"bake", "--nonsense", in, out}, "nonsense") &&
                   fails(2, {"bake", "--dop", "8", in, out}, "--dop takes 6, 14, 18 or 26") &&
                   fails(2, {"bake", "--nodes", "--no-character", in, out}, "that --no-character leaves out") &&

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each variant is what its name and description say: these pieces, this algorithm, these balls.
+#include <algorithm>
 #include <functional>
 #include <set>
 
@@ -56,6 +57,7 @@ struct Named {
   bool sound = true;
 };
 
+// This is what the names promise, written by hand: taken from the variants themselves, it would agree with any of their errors.
 const Named expected_variants[] = {
     {"linear", Skinning::linear, Pieces::node, linear<MeanBalls>},
     {"linear_pieces", Skinning::linear, Pieces::joint_sets, linear<SmallestBalls>},
@@ -128,7 +130,10 @@ PROPTEST(variants) {
             {.number_type = "double"}, [] {
               std::string wrong;
               long balls = 0;
-              if (compared_variants().size() != std::size(expected_variants)) wrong += "their number; ";
+              for (const RefitVariant& variant : compared_variants())
+                if (std::none_of(std::begin(expected_variants), std::end(expected_variants),
+                                 [&](const Named& expected) { return variant.name == expected.name; }))
+                  wrong += variant.name + " is not in expected_variants; ";
               for (const Named& expected : expected_variants) {
                 const RefitVariant& variant = compared_variant(expected.name);
                 const auto palette = snake().palette(expected.skinning);

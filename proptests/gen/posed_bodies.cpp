@@ -14,11 +14,10 @@ namespace {
 
 class BodiesMaker {
  public:
-  explicit BodiesMaker(std::mt19937& random) : random_(random) {}
+  BodiesMaker(std::mt19937& random, BodiesKind kind) : random_(random), kind_(kind) {}
 
   TwoBodies make() {
-    TwoBodies out{static_cast<BodiesKind>(pick(bodies_kind_count)), body("first"), {}};
-    kind_ = out.kind;
+    TwoBodies out{kind_, body("first"), {}};
     grid_ = 1 + pick(4);
     place(out.first);
     if (kind_ == BodiesKind::same || kind_ == BodiesKind::moved) {
@@ -76,12 +75,17 @@ class BodiesMaker {
   }
 
   std::mt19937& random_;
-  BodiesKind kind_ = BodiesKind::anywhere;
+  const BodiesKind kind_;
   int grid_ = 1;
 };
 
 }  // namespace
 
-TwoBodies two_bodies(std::mt19937& random) { return BodiesMaker(random).make(); }
+TwoBodies two_bodies(std::mt19937& random) {
+  const int kind = std::uniform_int_distribution<int>(0, bodies_kind_count - 1)(random);
+  return two_bodies(random, static_cast<BodiesKind>(kind));
+}
+
+TwoBodies two_bodies(std::mt19937& random, BodiesKind kind) { return BodiesMaker(random, kind).make(); }
 
 }  // namespace proptests::gen

@@ -25,7 +25,8 @@ struct TwoBodies {
 };
 
 // Of up to 30 triangles, most often of at most 8. Some are in units from 2^-1074 to 2^1020.
-TwoBodies two_bodies(std::mt19937& random);
+TwoBodies two_bodies(std::mt19937& random);  // of any kind
+TwoBodies two_bodies(std::mt19937& random, BodiesKind kind);
 
 inline bool is_degenerate(const TwoBodies& bodies) { return bodies.kind != BodiesKind::anywhere; }
 

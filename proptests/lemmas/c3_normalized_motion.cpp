@@ -102,6 +102,27 @@ void normalised_blends_move_within_the_bounds(Suite& t) {
       });
 }
 
+// Quaternions of one length, each two of one dot product, and all weighted alike: their blend is as short as (iii) says.
+struct Alike {
+  std::vector<RationalQuaternion> blended;
+  std::vector<Rational> weights;
+  Rational cosine, squared_length;
+  // They are along the axes, but for a part that all have, and turned together.
+  Alike() {
+    const int count = *rc::gen::inRange(1, 5);
+    const Rational common = *gen::rational(), own = *gen::positive_rational();
+    const RationalQuaternion turn = *gen::unit_quaternion();
+    for (int k = 0; k < count; ++k) {
+      RationalQuaternion q(common, common, common, common);
+      q[k] += own;
+      blended.push_back(multiply<Rational>(turn, q));
+    }
+    weights.assign(blended.size(), Rational(1, count));
+    cosine = Rational(4) * sq(common) + Rational(2) * common * own;
+    squared_length = cosine + sq(own);
+  }
+};
+
 void blends_are_as_long_as_said(Suite& t) {
   t.holds("of given weights a blend is as long as its cosines say, and at least as long as smaller ones say",
           {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
@@ -134,27 +155,25 @@ void blends_are_as_long_as_said(Suite& t) {
             RC_ASSERT(blend_is_long_by_axis(all, axis, Span(w)) == Verdict::holds);
             RC_ASSERT(blend_is_long_by_axis(all, combine<Rational, 4>(w, units), Span(w)) == Verdict::holds);
           });
-  t.holds("a blend of quaternions of any lengths is as long as the shortest of them and the least dot product say",
-          {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.05, .degenerate_at_most = 0.7},
-          [] {
-            auto blended = *gen::unit_quaternions(1, 5);
-            const auto w = *gen::convex_weights(static_cast<int>(blended.size()));
-            for (auto& q : blended) q *= *rc::gen::element(Rational(1), Rational(999, 1000), Rational(1, 2), Rational(3));
-            Rational shortest = squared_norm(blended[0]), cosine = shortest;
-            for (const auto& q : blended) shortest = std::min(shortest, squared_norm(q));
-            for (std::size_t k = 0; k < blended.size(); ++k)
-              for (std::size_t l = 0; l < k; ++l) cosine = std::min(cosine, dot(blended[k], blended[l]));
-            cosine = std::min(cosine, shortest);
-            RC_CLASSIFY(blended.size() == 1 || cosine == shortest, "degenerate");
-            const std::span<const RationalQuaternion> all(blended);
-            RC_ASSERT(blend_is_long(all, cosine, Span(w), shortest) == Verdict::holds);
-            // It is sharp: for n quaternions of the least length at the least dot product, all weighted alike.
-            const RationalQuaternion q = *gen::unit_quaternion();
-            const std::vector<RationalQuaternion> pair{q * Rational(1, 2), q * Rational(-1, 2)};
-            const std::vector<Rational> halves{Rational(1, 2), Rational(1, 2)};
-            RC_ASSERT(least_squared_blend<Rational>(Rational(-1, 4), 2, Rational(1, 4)) ==
-                      squared_norm(combine<Rational, 4>(halves, pair)));
-          });
+  t.holds(
+      "a blend of quaternions of any lengths is as long as the shortest of them and the least dot product say",
+      {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.05, .degenerate_at_most = 0.7}, [] {
+        auto blended = *gen::unit_quaternions(1, 5);
+        const auto w = *gen::convex_weights(static_cast<int>(blended.size()));
+        for (auto& q : blended) q *= *rc::gen::element(Rational(1), Rational(999, 1000), Rational(1, 2), Rational(3));
+        Rational shortest = squared_norm(blended[0]), cosine = shortest;
+        for (const auto& q : blended) shortest = std::min(shortest, squared_norm(q));
+        for (std::size_t k = 0; k < blended.size(); ++k)
+          for (std::size_t l = 0; l < k; ++l) cosine = std::min(cosine, dot(blended[k], blended[l]));
+        cosine = std::min(cosine, shortest);
+        RC_CLASSIFY(blended.size() == 1 || cosine == shortest, "degenerate");
+        const std::span<const RationalQuaternion> all(blended);
+        RC_ASSERT(blend_is_long(all, cosine, Span(w), shortest) == Verdict::holds);
+        const Alike alike;
+        RC_ASSERT(blend_is_long<Rational>(alike.blended, alike.cosine, alike.weights, alike.squared_length) == Verdict::holds);
+        RC_ASSERT(least_squared_blend(alike.cosine, Rational(static_cast<int>(alike.blended.size())), alike.squared_length) ==
+                  squared_norm(combine<Rational, 4>(alike.weights, alike.blended)));
+      });
   t.holds("the shortest blend of a pair that is just as close is as long as said, and so by its axis",
           {.form = "beyond", .number_type = "rational", .cases = 200}, [] {
             const std::vector<RationalQuaternion> pair{*gen::unit_quaternion(), *gen::unit_quaternion()};

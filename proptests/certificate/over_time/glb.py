@@ -60,6 +60,7 @@ def chunks_of(data):
         chunks.append((kind, data[at + 8:at + 8 + length]))
         at += 8 + length
     require(chunks and chunks[0][0] == JSON_CHUNK, "the file does not begin with JSON")
+    require(not chunks[0][1].startswith(b"\xef\xbb\xbf"), "the file's JSON begins with a byte order mark, which is to be left out")
     return chunks
 
 
