@@ -18,7 +18,6 @@ namespace proptests::suite_run_folder {
 namespace {
 
 using namespace refitlab;
-using TemporaryFolder;
 
 // The file of the one unit that a folder has.
 std::string only_unit(const TemporaryFolder& folder) {

@@ -34,8 +34,6 @@ namespace proptests::suite_write_whole {
 namespace {
 
 using namespace refitlab;
-using ChildProcess;
-using TemporaryFolder;
 
 // Texts that differ in every byte and in length: no part of one is another.
 std::set<std::string> texts_of(char first, int count) {
