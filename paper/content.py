@@ -4,8 +4,8 @@ import report_package  # noqa: F401
 from formats import broken_name, digits, escaped, long_table, power_of_ten, table, whole_number
 from report import collisions, deformations, engines, growth, original, over_time, statements
 from report.statistics import mean, span
-from report.tables import ALL, ResultError
-from report.verdicts import of_lemma, said_of_claims, summed_up
+from report.tables import ALL, ResultError, stored
+from report.verdicts import of_lemma, refutations, said_of_claims, summed_up
 
 MODELS = ["man", "creature", "BCN_Epileptic.X", "Testwuson.X", "Soldier.glb", "leftHandHigh.glb"]
 SCENES = ["far", "near", "light", "heavy", "worst"]
@@ -115,7 +115,7 @@ def batch_gains(results):
 def numbers(results, root):
     out = {}
     for row in original.table1()[:2]:
-        out[f"original.level{row['level']:.0f}"] = f"{row['spherical'] / row['optimal']:.2f}"
+        out[f"original.level{row.level}"] = f"{row.spherical / row.optimal:.2f}"
     for variant in ["spherical_repaired", "spherical_miniball", "control_mixed", "control_many_pieces"]:
         out[f"worst.{variant}"] = digits(worst_ratio(results, variant))
     out["twist.control_mixed"] = digits(worst_ratio(results, "control_mixed", "twist"))
@@ -181,12 +181,12 @@ def numbers(results, root):
     out["verdicts.implied"] = whole_number(sum(v.implied_after > 0 for v in verdicts))
     out["verdicts.claims"] = whole_number(sum(len(v.printed_claims) + len(v.claims) for v in verdicts))
     out["verdicts.held"] = whole_number(sum(sum(v.printed_claims) + sum(v.claims) for v in verdicts))
-    mutants = {verdict: len(rows) for verdict, rows in statements.rows_by(root / "proptests/mutants/judged.csv", lambda row: row["verdict"]).items()}
-    killed, alive, equivalent = (mutants.get(verdict, 0) for verdict in ("killed", "alive", "equivalent"))
+    mutants = stored(root, statements.JUDGED)
+    killed, alive, equivalent = (sum(row.verdict == verdict for row in mutants) for verdict in ("killed", "alive", "equivalent"))
     out["mutants.killed"], out["mutants.able"] = whole_number(killed), whole_number(killed + alive)
     out["mutants.equivalent"] = whole_number(equivalent)
-    out["mutants.late"] = whole_number(len(statements.rows_by(root / "proptests/mutants/judged.csv", lambda row: (row["verdict"], row["at_first"])).get(("killed", "alive"), [])))
-    out["exhaustive.theorems"] = whole_number(len(statements.rows_by(root / "proptests/exhaustive/proved.csv", lambda row: row["theorem"])))
+    out["mutants.late"] = whole_number(sum((row.verdict, row.at_first) == ("killed", "alive") for row in mutants))
+    out["exhaustive.theorems"] = whole_number(len({row.theorem for row in stored(root, statements.PROVED)}))
     return out
 
 
@@ -345,8 +345,7 @@ def verdict_table(results, lemmas):
         v = of_lemma(stem, results.select("verdicts", lemma=stem))
         if v.failed:
             raise ResultError(f"verdicts.csv: a test of {stem} failed")
-        as_printed = [f"refuted after {v.refuted_after}"] if v.refuted_after else ["holds"] * bool(v.printed_claims)
-        as_printed += [f"implied: refuted after {v.implied_after}"] * bool(v.implied_after)
+        as_printed = ["holds"] * bool(v.printed_claims and not v.refuted_after) + refutations(v)
         share = f"{100 * v.degenerate:.0f}\\,\\%" if v.claims else ""
         held = [said_of_claims(v.claims or ([] if v.refuted_after else v.printed_claims)), share]
         out.append([f"\\texttt{{{escaped(stem)}}}", "; ".join(as_printed), *held])

@@ -113,10 +113,9 @@ def table_2(results):
     rows = []
     for row in original.table2():
         def us(detector):
-            return results.number_or_none("collision", model=row["model"], scene=row["scene"], query=row["query"], variant=detector,
-                                          quantity="us_per_frame")
+            return results.number_or_none("collision", model=row.model, scene=row.scene, query=row.query, variant=detector, quantity="us_per_frame")
         if us("brown") is not None:
-            rows.append((row["scenario"], [(us(detector), row[column]) for column, detector in TABLE_2.items()]))
+            rows.append((row.scenario, [(us(detector), getattr(row, column)) for column, detector in TABLE_2.items()]))
     return rows
 
 

@@ -4,6 +4,7 @@ cost, beside ours."""
 from . import pictures
 from .over_time import SKINNINGS
 from .statistics import mean
+from .tables import grouped
 
 # Each method has what it does, and who has it.
 METHODS = {
@@ -73,10 +74,8 @@ def costs(results, method):
 
 def volumes_by_model(results, method):
     """Returns {model: volumes over joint boxes, by clip} with linear skinning."""
-    found = {}
-    for row in results.select("engines", variant=method, quantity="volume_to_joint_boxes", kind="clip", skinning="linear"):
-        found.setdefault(row.model, []).append(row.value)
-    return found
+    rows = results.select("engines", variant=method, quantity="volume_to_joint_boxes", kind="clip", skinning="linear")
+    return {model: [row.value for row in some] for model, some in grouped(rows, lambda row: row.model).items()}
 
 
 def costliest(results, method):

@@ -4,7 +4,7 @@ import base64
 from dataclasses import dataclass, field
 
 from .drawings import drawings
-from .tables import ALL, ResultError
+from .tables import ALL, ResultError, grouped
 
 PLANE = ["lemma1_cap_definitions", "lemma4_quaternion_hull", "lemma5_cap_enclosing_sphere"]
 IN_SPACE = {
@@ -153,9 +153,7 @@ ELSEWHERE = {"engine_boxes", "sampled_miss"}  # figures of other sections
 
 def pictures_of(results, folder):
     """Returns [(figure's name, its pictures)], in the order of the table. Raises ResultError for a file that is not there."""
-    labels, found = {}, {}
-    for row in results.rows("picture_labels"):
-        labels.setdefault(row.file, []).append(row)
+    labels, found = grouped(results.rows("picture_labels"), lambda row: row.file), {}
     for row in results.rows("pictures"):
         of_figure = found.setdefault(row.figure, {})
         picture = of_figure.setdefault(row.file, Picture(row.file, row.model, row.pose, row.variant, row.level, {}, labels.get(row.file, [])))

@@ -2,8 +2,10 @@
 """The verdicts on the lemmas: what the property tests say of each statement, summed up here for the page, the paper and README."""
 from dataclasses import dataclass
 
+from markupsafe import Markup
+
 from .statistics import weighted_mean
-from .tables import ResultError
+from .tables import ResultError, grouped
 
 OPENING, CLOSING = "<!-- verdicts -->\n", "<!-- /verdicts -->"  # around the table in README
 
@@ -37,10 +39,7 @@ def of_lemma(lemma, rows):
 
 def summed_up(rows):
     """Returns the verdict of each lemma that has a statement, in the order of the alphabet."""
-    by_lemma = {}
-    for row in rows:
-        by_lemma.setdefault(row.lemma, []).append(row)
-    return [of_lemma(lemma, some) for lemma, some in sorted(by_lemma.items()) if any(r.role == "statement" for r in some)]
+    return [of_lemma(lemma, some) for lemma, some in sorted(grouped(rows, lambda row: row.lemma).items()) if any(r.role == "statement" for r in some)]
 
 
 def said_of_claims(cases):
@@ -51,13 +50,17 @@ def said_of_claims(cases):
     return f"{len(cases)} claims, {each} cases each" if len(cases) > 1 else f"1 claim, {each} cases"
 
 
-def said_of_printed(verdict):
+def refutations(verdict, refuted="refuted"):
+    """Returns what is said of what is printed and of what is implied, where it is refuted. refuted: that word, perhaps in bold."""
+    return ([f"{refuted} after {verdict.refuted_after}"] * bool(verdict.refuted_after)
+            + [f"implied: refuted after {verdict.implied_after}"] * bool(verdict.implied_after))
+
+
+def said_of_printed(verdict, refuted="**refuted**"):
     if verdict.failed:
         return "TEST FAILED"
-    printed = f"holds ({said_of_claims(verdict.printed_claims)})" if verdict.printed_claims else ""
-    if verdict.refuted_after:
-        printed = f"**refuted** after {verdict.refuted_after}"
-    return "; ".join([printed] * bool(printed) + [f"implied: refuted after {verdict.implied_after}"] * bool(verdict.implied_after))
+    holds = verdict.printed_claims and not verdict.refuted_after
+    return "; ".join([f"holds ({said_of_claims(verdict.printed_claims)})"] * bool(holds) + refutations(verdict, refuted))
 
 
 def said_of_repaired(verdict):
@@ -88,5 +91,6 @@ def section(results, page):
     rows = results.rows("verdicts")
     commits = sorted({row.commit for row in rows})
     verdicts = summed_up(rows)
-    return {"verdicts": verdicts, "said_of_claims": said_of_claims, "other_commits": [] if commits == [page.commit] else commits,
+    return {"verdicts": verdicts, "said_of_printed": lambda v: Markup(said_of_printed(v, '<span class="bad">refuted</span>')), "said_of_repaired": said_of_repaired,
+            "other_commits": [] if commits == [page.commit] else commits,
             "pages": {v.lemma: f"reference/{v.lemma}.html" for v in verdicts if (page.folder / "reference" / f"{v.lemma}.html").exists()}}
