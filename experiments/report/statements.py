@@ -71,17 +71,17 @@ def statements(root, verdicts):
     theorems = grouped(stored(root, PROVED), lambda row: row.theorem.partition(".")[0])
     mutants = grouped(stored(root, JUDGED), lambda row: row.file)
     for verdict in verdicts:
-        rows = status.get(verdict.lemma, [])
+        rows = status.get(verdict.stem, [])
         if not rows or any(row.status == "not proved" and not row.note for row in rows):
-            raise ResultError(f"{root / STATUS}: {verdict.lemma} is not proved, and no sentence says why")
-        programs, through = users(root, verdict.lemma)
+            raise ResultError(f"{root / STATUS}: {verdict.stem} is not proved, and no sentence says why")
+        programs, through = users(root, verdict.stem)
 
         def those(outcome, column):
             return [getattr(row, column) for row in rows if row.status == outcome]
-        own = programs if not (root / "lemmas" / f"{verdict.lemma}.hpp").exists() else [f"lemmas/{verdict.lemma}.hpp"]
+        own = programs if not (root / "lemmas" / f"{verdict.stem}.hpp").exists() else [f"lemmas/{verdict.stem}.hpp"]
         judged = [row.verdict for file in own for row in mutants.get(file, [])]
-        exhaustive = sorted({row.theorem.partition(".")[2] for row in theorems.get(verdict.lemma, [])})
-        out.append(Statement(verdict, suite_of(root, verdict.lemma), exhaustive, judged.count("killed"), judged.count("killed") + judged.count("alive"),
+        exhaustive = sorted({row.theorem.partition(".")[2] for row in theorems.get(verdict.stem, [])})
+        out.append(Statement(verdict, suite_of(root, verdict.stem), exhaustive, judged.count("killed"), judged.count("killed") + judged.count("alive"),
                              those("proved", "statement"), those("refuted", "statement"), those("not proved", "note"), programs, through))
     return out
 
@@ -119,7 +119,7 @@ def markdown(found):
     rows = [HEAD, ["---"] * 4]
     for s in found:
         tests, proofs, run_by = cells(s, lambda name: f"`{name}`", str)
-        rows.append([f"[{s.verdict.lemma}]({s.suite})", "<br>".join(tests), "<br>".join(proofs), run_by])
+        rows.append([f"[{s.verdict.stem}]({s.suite})", "<br>".join(tests), "<br>".join(proofs), run_by])
     return "".join("| " + " | ".join(row).replace("||", "\\|\\|") + " |\n" for row in rows)
 
 

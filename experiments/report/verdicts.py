@@ -12,8 +12,8 @@ OPENING, CLOSING = "<!-- verdicts -->\n", "<!-- /verdicts -->"  # around the tab
 
 @dataclass
 class Verdict:
-    """A Verdict is that of one statement, over its properties. lemma is the stem of its file."""
-    lemma: str
+    """A Verdict is that of one statement, over its properties. stem is that of its file."""
+    stem: str
     failed: bool         # a test failed: then nothing is said
     refuted_after: int   # cases until the first counterexample to what is printed; 0: none was found
     implied_after: int   # the same of what the text takes for granted without stating it
@@ -24,22 +24,22 @@ class Verdict:
     hypotheses: list     # without which a counterexample is found
 
 
-def of_lemma(lemma, rows):
-    """Returns the verdict over these rows of verdicts.csv, which are all of this lemma."""
+def of_stem(stem, rows):
+    """Returns the verdict over these rows of verdicts.csv, which are all of this stem."""
     statements = [r for r in rows if r.role == "statement"]
     printed = [r for r in statements if r.form == "printed"]
     implied = [r for r in statements if r.form == "implied"]
     repaired = [r for r in statements if r.form not in ("printed", "implied") and r.verdict == "holds"]
-    return Verdict(lemma, any(r.verdict == "TEST FAILED" for r in rows),
+    return Verdict(stem, any(r.verdict == "TEST FAILED" for r in rows),
                    *(min((r.cases for r in rows if r.verdict == "refuted"), default=0) for rows in (printed, implied)),
                    [r.cases for r in printed if r.verdict == "holds"], [r.cases for r in repaired],
-                   weighted_mean([r.degenerate_share for r in repaired], [r.cases for r in repaired]) if repaired else 0,
+                   weighted_mean([r.share_of_degenerate_cases for r in repaired], [r.cases for r in repaired]) if repaired else 0,
                    sorted({r.number_type for r in rows} - {""}), sorted({r.hypothesis for r in rows} - {""}))
 
 
 def summed_up(rows):
-    """Returns the verdict of each lemma that has a statement, in the order of the alphabet."""
-    return [of_lemma(lemma, some) for lemma, some in sorted(grouped(rows, lambda row: row.lemma).items()) if any(r.role == "statement" for r in some)]
+    """Returns the verdict of each stem that has a statement, in the order of the alphabet."""
+    return [of_stem(stem, some) for stem, some in sorted(grouped(rows, lambda row: row.stem).items()) if any(r.role == "statement" for r in some)]
 
 
 def said_of_claims(cases):
@@ -72,7 +72,7 @@ def said_of_repaired(verdict):
 def markdown(verdicts):
     """Returns the table as it stands in README."""
     rows = [["statement", "as printed", "repaired, or beyond", "numbers", "hypotheses shown necessary"], ["---"] * 5]
-    rows += [[v.lemma, said_of_printed(v), said_of_repaired(v), ", ".join(v.number_types), "; ".join(v.hypotheses).replace("|", "\\|")] for v in verdicts]
+    rows += [[v.stem, said_of_printed(v), said_of_repaired(v), ", ".join(v.number_types), "; ".join(v.hypotheses).replace("|", "\\|")] for v in verdicts]
     return f"| {' | '.join(rows[0])} |\n|{'|'.join(rows[1])}|\n" + "".join(f"| {' | '.join(row)} |\n" for row in rows[2:])
 
 
@@ -93,4 +93,4 @@ def section(results, page):
     verdicts = summed_up(rows)
     return {"verdicts": verdicts, "said_of_printed": lambda v: Markup(said_of_printed(v, '<span class="bad">refuted</span>')), "said_of_repaired": said_of_repaired,
             "other_commits": [] if commits == [page.commit] else commits,
-            "pages": {v.lemma: f"reference/{v.lemma}.html" for v in verdicts if (page.folder / "reference" / f"{v.lemma}.html").exists()}}
+            "pages": {v.stem: f"reference/{v.stem}.html" for v in verdicts if (page.folder / "reference" / f"{v.stem}.html").exists()}}
