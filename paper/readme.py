@@ -5,10 +5,11 @@ import re
 import content
 from formats import digits
 from report import deformations, engines, over_time
+from report.blocks import block, replaced
 from report.statistics import span
 from report.tables import ResultError
 
-BLOCK = re.compile(r"(<!-- measured: (\w+) -->\n)(.*?)(<!-- /measured -->\n)", re.DOTALL)
+NAME = re.compile(r"<!-- measured: (\w+) -->\n")
 COMMIT = re.compile(r"commit\s[0-9a-f]{7,40}\b")
 
 
@@ -150,10 +151,11 @@ BLOCKS = {"variants": variants_block, "over_time": over_time_block, "queries": q
 
 def blocks(text, path):
     """{name: text} of the measured blocks. Raises ResultError if one is missing, unknown, or does not name its commit."""
-    found = {name: body for _, name, body, _ in BLOCK.findall(text)}
-    for name in [*BLOCKS, *found]:
-        if name not in found or name not in BLOCKS:
-            raise ResultError(f"{path}: the block <!-- measured: {name} --> is {'missing' if name in BLOCKS else 'unknown'}")
+    found = {}
+    for name in [*BLOCKS, *NAME.findall(text)]:
+        if name not in BLOCKS:
+            raise ResultError(f"{path}: the block <!-- measured: {name} --> is unknown")
+        found[name] = block(text, path, f"measured: {name}")
         if not COMMIT.search(found[name]):
             raise ResultError(f"{path}: the block <!-- measured: {name} --> does not say from which commit it is")
     return found
@@ -165,4 +167,6 @@ def renewed(text, results, path, names=()):
     for name in names:
         if name not in BLOCKS:
             raise ResultError(f"{path}: has no block {name}; there are: {', '.join(BLOCKS)}")
-    return BLOCK.sub(lambda m: m[1] + (BLOCKS[m[2]](results) if not names or m[2] in names else m[3]) + m[4], text)
+    for name in names or BLOCKS:
+        text = replaced(text, path, f"measured: {name}", BLOCKS[name](results))
+    return text

@@ -58,12 +58,12 @@ StageTimes time_stages(Detector& detector, const Scenario& e, Query query) {
   return means;
 }
 
-std::string pose_of(const AnimatedCharacter& c) { return c.clips.empty() ? "twist" : c.clips[0].name; }
+std::string played_by(const AnimatedCharacter& c) { return c.clips.empty() ? "twist" : c.clips[0].name; }
 
 // Goes through all frames once, and counts and checks everything.
 CollisionResult count(const AnimatedCharacter& c, const Scenario& e, Query query, const DetectorKind& kind, Detector& detector,
                       const PairLists& expected) {
-  CollisionResult out{c.mesh.name, pose_of(c), e.name, kind.name, kind.origin, query};
+  CollisionResult out{c.mesh.name, played_by(c), e.name, kind.name, kind.origin, query};
   const double n = static_cast<double>(e.frames.size());
   std::string frames;
   std::size_t of = 0;
@@ -98,7 +98,7 @@ CollisionResult count(const AnimatedCharacter& c, const Scenario& e, Query query
 
 // Makes the oracle's own row, with its pairs and its time.
 CollisionResult ask_oracle(const AnimatedCharacter& c, const Scenario& e, Skinning skinning, PairLists& pairs) {
-  CollisionResult out{c.mesh.name, pose_of(c), e.name, "brute_force", Origin::oracle, Query::full};
+  CollisionResult out{c.mesh.name, played_by(c), e.name, "brute_force", Origin::oracle, Query::full};
   const double n = static_cast<double>(e.frames.size()), triangles = static_cast<double>(c.mesh.triangles.size());
   for (const ScenarioFrame& frame : e.frames) {
     out.us_per_frame += microseconds([&] { pairs.push_back(brute_force(c.mesh, c.sets, frame, skinning)); }) / n;

@@ -18,8 +18,6 @@ import agreed  # noqa: E402
 from .tables import ResultError, grouped, stored
 from .verdicts import Verdict, refutations, said_of_claims
 
-OPENING, CLOSING = "<!-- statements -->\n", "<!-- /statements -->"  # around the table in README
-OPENING_OF_PROOFS, CLOSING_OF_PROOFS = "<!-- proofs -->\n", "<!-- /proofs -->"  # around the sentences about all proofs there
 STATUS, PROVED, JUDGED = "lemmas/proofs/status.csv", "proptests/exhaustive/proved.csv", "proptests/mutants/judged.csv"
 USED_BY = re.compile(r"// Used by: (.*(?:\n// .*)*)\n\Z")
 

@@ -5,9 +5,7 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from .statistics import weighted_mean
-from .tables import ResultError, grouped
-
-OPENING, CLOSING = "<!-- verdicts -->\n", "<!-- /verdicts -->"  # around the table in README
+from .tables import grouped
 
 
 @dataclass
@@ -74,14 +72,6 @@ def markdown(verdicts):
     rows = [["statement", "as printed", "repaired, or beyond", "numbers", "hypotheses shown necessary"], ["---"] * 5]
     rows += [[v.stem, said_of_printed(v), said_of_repaired(v), ", ".join(v.number_types), "; ".join(v.hypotheses).replace("|", "\\|")] for v in verdicts]
     return f"| {' | '.join(rows[0])} |\n|{'|'.join(rows[1])}|\n" + "".join(f"| {' | '.join(row)} |\n" for row in rows[2:])
-
-
-def place(text, path, opening=OPENING, closing=CLOSING):
-    """Returns where the table begins and ends in the text of a file. Raises ResultError if it has none."""
-    start, end = text.find(opening), text.find(closing)
-    if start < 0 or end < start:
-        raise ResultError(f"{path}: the lines {opening.strip()} and {closing} are missing")
-    return start + len(opening), end
 
 
 def section(results, page):
