@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the paper takes from the tables of results: numbers by name, tables, and the data of plots."""
-import report_package  # noqa: F401
 from formats import broken_name, digits, escaped, long_table, power_of_ten, table, whole_number
 from report import collisions, deformations, engines, growth, original, over_time, statements
 from report.statistics import mean, span
