@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A page of HTML as those who check it need it."""
 import html.parser
+import urllib.parse
 
 
 class Page(html.parser.HTMLParser):
@@ -32,3 +33,19 @@ class Page(html.parser.HTMLParser):
     def handle_endtag(self, tag):
         if not self.open or self.open.pop() != tag:
             self.wrong.append(f"</{tag}> closes something else")
+
+
+def wrong_links(pages, but=()):
+    """Yields which links of the pages, {path: Page}, lead nowhere or need a network. but: links that are not looked at."""
+    for path, page in pages.items():
+        for link in page.links:
+            target = urllib.parse.urlparse(link)
+            file = path.parent / urllib.parse.unquote(target.path) if target.path else path
+            if target.scheme == "data" or link in but:
+                continue
+            if target.scheme or target.netloc:
+                yield f"{path.name}: {link} needs a network"
+            elif not file.is_file():
+                yield f"{path.name}: {link} leads nowhere"
+            elif target.fragment and file in pages and target.fragment not in pages[file].ids:
+                yield f"{path.name}: {link}: no such place in the page"

@@ -3,12 +3,11 @@
 import pathlib
 import re
 
-import report_package  # noqa: F401
 from formats import broken_name, digits, escaped, long_table, power_of_ten, table, whole_number
 from report import collisions, deformations, engines, growth, original, over_time, statements
 from report.statistics import mean, span
-from report.tables import ALL, ResultError
-from report.verdicts import of_lemma, said_of_claims, summed_up
+from report.tables import ALL, ResultError, stored
+from report.verdicts import of_stem, refutations, said_of_claims, summed_up
 
 REAL_MODELS = re.findall(r'"([^"]+\.\w+)"', (pathlib.Path(__file__).resolve().parents[1] / "experiments/scenes/real_models.hpp").read_text())
 MODELS = ["man", "creature", *REAL_MODELS]
@@ -69,7 +68,7 @@ def gain_without(results, scene, detector):
 
 def grown(results, triangles, scene, detector, quantity="us_per_frame"):
     """Returns a quantity of two men whose meshes have so many triangles."""
-    return results.number("triangle_growth", triangles=triangles, pose=scene, variant=detector, quantity=quantity)
+    return results.number("triangle_growth", triangles=triangles, scene=scene, variant=detector, quantity=quantity)
 
 
 def grown_gain(results, scene):
@@ -119,7 +118,7 @@ def batch_gains(results):
 def numbers(results, root):
     out = {}
     for row in original.table1()[:2]:
-        out[f"original.level{row['level']:.0f}"] = f"{row['spherical'] / row['optimal']:.2f}"
+        out[f"original.level{row.level}"] = f"{row.spherical / row.optimal:.2f}"
     for variant in ["spherical_repaired", "spherical_miniball", "control_mixed", "control_many_pieces"]:
         out[f"worst.{variant}"] = digits(worst_ratio(results, variant))
     out["twist.control_mixed"] = digits(worst_ratio(results, "control_mixed", "twist"))
@@ -144,7 +143,7 @@ def numbers(results, root):
     joints, sets = max(results.distinct("joint_growth", "joints")), results.values("joint_growth", variant="own", quantity="joint_sets")
     out["joints.sets"] = whole_number(max(sets))
     for name, variant, quantity in [("own", "own", "ns_of_root"), ("cold", "through_descendants", "ns_of_root"),
-                                    ("below", "through_descendants", "ns_of_root_from_known")]:
+                                    ("below", "through_descendants", "ns_of_root_from_known_cut")]:
         out[f"joints.{name}"] = digits(results.number("joint_growth", joints=joints, variant=variant, quantity=quantity) / 1000, 2)
     out["joints.ratio"] = digits(results.number("joint_growth", joints=joints, variant="through_descendants", quantity="root_ratio_to_optimal"))
     men = max(results.distinct("character_growth", "characters"))
@@ -153,17 +152,17 @@ def numbers(results, root):
     out["rounding.checks"] = whole_number(total(results, "rounding", quantity="exact_checks"))
     out["rounding.misses"] = whole_number(total(results, "rounding", quantity="misses") +
                                           total(results, "rounding", quantity="float_misses"))
-    for name, quantity in [("places", "places"), ("exact", "exact_checks"), ("unknown", "exact_undecided")]:
+    for name, quantity in [("places", "checks"), ("exact", "exact_checks"), ("unknown", "exact_undecided")]:
         out[f"overtime.{name}"] = whole_number(over_time.total(results, quantity))
-    out["overtime.misses"] = whole_number(sum(over_time.total(results, q) for q in ("whole_missed", "clusters_missed", "exact_misses")))
+    out["overtime.misses"] = whole_number(sum(over_time.total(results, q) for q in ("character_misses", "cluster_misses", "exact_misses")))
     out["overtime.refused"] = whole_number(over_time.total(results, "refused_clips"))
     for skinning in over_time.SKINNINGS:
         out[f"overtime.whole.{skinning}"] = f"{over_time.whole_ratios(results, skinning=skinning).most:.3f}"
         out[f"overtime.cluster.{skinning}"] = f"{over_time.cluster_ratio(results, skinning=skinning):.3f}"
         out[f"overtime.within.{skinning}"] = whole_number(over_time.within_goal(results, skinning=skinning))
         out[f"overtime.clips.{skinning}"] = whole_number(len(results.select("over_time", skinning=skinning, quantity="duration")))
-    for by in over_time.GROWN:
-        out[f"overtime.exponent.{by}"] = f"${digits(over_time.growth_exponent(results, by), 2)}$"
+    for grown in over_time.GROWN:
+        out[f"overtime.exponent.{grown}"] = f"${digits(over_time.growth_exponent(results, grown), 2)}$"
     triangles, bounding, written = over_time.peaks(results)[-1]
     out["overtime.triangles"], out["overtime.bounding"], out["overtime.written"] = map(whole_number, (triangles, bounding, written))
     volume = engines.volume_goal(results)
@@ -185,12 +184,12 @@ def numbers(results, root):
     out["verdicts.implied"] = whole_number(sum(v.implied_after > 0 for v in verdicts))
     out["verdicts.claims"] = whole_number(sum(len(v.printed_claims) + len(v.claims) for v in verdicts))
     out["verdicts.held"] = whole_number(sum(sum(v.printed_claims) + sum(v.claims) for v in verdicts))
-    mutants = {verdict: len(rows) for verdict, rows in statements.rows_by(root / "proptests/mutants/judged.csv", lambda row: row["verdict"]).items()}
-    killed, alive, equivalent = (mutants.get(verdict, 0) for verdict in ("killed", "alive", "equivalent"))
+    mutants = stored(root, statements.JUDGED)
+    killed, alive, equivalent = (sum(row.verdict == verdict for row in mutants) for verdict in ("killed", "alive", "equivalent"))
     out["mutants.killed"], out["mutants.able"] = whole_number(killed), whole_number(killed + alive)
     out["mutants.equivalent"] = whole_number(equivalent)
-    out["mutants.late"] = whole_number(len(statements.rows_by(root / "proptests/mutants/judged.csv", lambda row: (row["verdict"], row["at_first"])).get(("killed", "alive"), [])))
-    out["exhaustive.theorems"] = whole_number(len(statements.rows_by(root / "proptests/exhaustive/proved.csv", lambda row: row["theorem"])))
+    out["mutants.late"] = whole_number(sum((row.verdict, row.at_first) == ("killed", "alive") for row in mutants))
+    out["exhaustive.theorems"] = whole_number(len({row.theorem for row in stored(root, statements.PROVED)}))
     return out
 
 
@@ -255,8 +254,8 @@ def volumes_table(results):
     names = {"aabb": "axis-aligned box", "obb": "oriented box", "dop14": "14-DOP", "dop18": "18-DOP", "dop26": "26-DOP"}
     rows = []
     for variant, name in names.items():
-        cost = span(results.values("volumes", variant=variant, quantity="ratio_to_ball", level=ALL))
-        rows.append([name, f"{average(variant, 'ratio_to_optimal'):.2f}", f"{average(variant, 'volume_to_ball'):.2f}",
+        cost = span(results.values("volumes", variant=variant, quantity="time_ratio_to_ball", level=ALL))
+        rows.append([name, f"{average(variant, 'ratio_to_optimal'):.2f}", f"{average(variant, 'volume_ratio_to_ball'):.2f}",
                      f"{cost.least:.1f}--{cost.most:.1f}"])
     return table("lrrr", ["", "size / around vertices", "volume / ball", "cost / ball"], rows)
 
@@ -268,7 +267,7 @@ def rounding_table(results):
     for variant, name in names.items():
         def of(quantity):
             return results.values("rounding", variant=variant, quantity=quantity)
-        rows.append([name, f"{100 * sum(of('misses_as_computed')) / sum(of('exact_checks')):.2g}\\,\\%",
+        rows.append([name, f"{100 * sum(of('misses_without_slack')) / sum(of('exact_checks')):.2g}\\,\\%",
                      whole_number(sum(of("misses") + of("float_misses"))), power_of_ten(max(of("inflation_median"))),
                      power_of_ten(max(of("float_inflation_median"))), f"{min(of('cost_ratio')):.2f}--{max(of('cost_ratio')):.2f}"])
     return table("lrrrrr", ["", "outside without", "with", "adds", "adds, float", "cost"], rows)
@@ -300,7 +299,7 @@ def out_of_bounds(results, number, percent):
 
 
 def over_time_table(results):
-    return table("lrrrr", ["", "characters out", "by", "clusters out", "by"], out_of_bounds(results, whole_number, "\\,\\%"))
+    return table("lrrrr", ["", "characters out", "distance / side", "clusters out", "distance / side"], out_of_bounds(results, whole_number, "\\,\\%"))
 
 
 def engine_rows(results, number, cost_digits):
@@ -346,11 +345,10 @@ def verdict_table(results, lemmas):
     """lemmas: the stems that must be there."""
     out = []
     for stem in lemmas:
-        v = of_lemma(stem, results.select("verdicts", lemma=stem))
+        v = of_stem(stem, results.select("verdicts", stem=stem))
         if v.failed:
             raise ResultError(f"verdicts.csv: a test of {stem} failed")
-        as_printed = [f"refuted after {v.refuted_after}"] if v.refuted_after else ["holds"] * bool(v.printed_claims)
-        as_printed += [f"implied: refuted after {v.implied_after}"] * bool(v.implied_after)
+        as_printed = ["holds"] * bool(v.printed_claims and not v.refuted_after) + refutations(v)
         share = f"{100 * v.degenerate:.0f}\\,\\%" if v.claims else ""
         held = [said_of_claims(v.claims or ([] if v.refuted_after else v.printed_claims)), share]
         out.append([f"\\texttt{{{escaped(stem)}}}", "; ".join(as_printed), *held])
@@ -362,7 +360,7 @@ def statement_table(results, root):
     rows = []
     for s in statements.statements(root, summed_up(results.rows("verdicts"))):
         tests, proofs, run_by = statements.cells(s, broken_name, escaped)
-        rows.append([broken_name(s.verdict.lemma), r" \newline ".join(tests), r" \newline ".join(proofs), run_by])
+        rows.append([broken_name(s.verdict.stem), r" \newline ".join(tests), r" \newline ".join(proofs), run_by])
     return long_table([33, 26, 54, 27], statements.HEAD, rows)
 
 

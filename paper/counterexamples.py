@@ -6,7 +6,6 @@ What the tests decide with the library is worked out here once more, from the st
 import json
 from fractions import Fraction
 
-import report_package  # noqa: F401
 from report.tables import ResultError
 
 

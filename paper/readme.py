@@ -5,10 +5,11 @@ import re
 import content
 from formats import digits
 from report import deformations, engines, over_time
+from report.blocks import block, replaced
 from report.statistics import span
 from report.tables import ResultError
 
-BLOCK = re.compile(r"(<!-- measured: (\w+) -->\n)(.*?)(<!-- /measured -->\n)", re.DOTALL)
+NAME = re.compile(r"<!-- measured: (\w+) -->\n")
 COMMIT = re.compile(r"commit\s[0-9a-f]{7,40}\b")
 
 
@@ -83,7 +84,7 @@ def over_time_block(results):
     commit = commit_of(results, "over_time", "over_time_growth")
     clips = len(results.select("over_time", skinning="linear", quantity="duration"))
     rows = [f"| {' | '.join(cells)} |" for cells in content.out_of_bounds(results, "{:.0f}".format, " %")]
-    misses = sum(over_time.total(results, q) for q in ("whole_missed", "clusters_missed", "exact_misses"))
+    misses = sum(over_time.total(results, q) for q in ("character_misses", "cluster_misses", "exact_misses"))
     undecided = over_time.total(results, "exact_undecided")
     unknown = f", and of {undecided} that were placed with many digits these are too few to tell" if undecided else ""
     whole = {s: f"{over_time.whole_ratios(results, skinning=s).most:.3f}" for s in over_time.SKINNINGS}
@@ -91,13 +92,13 @@ def over_time_block(results):
     triangles, bounding, written = over_time.peaks(results)[-1]
     return f"""\
 The table counts the characters, and the clusters of 128 triangles, of which a vertex leaves the box between sampled times, in {clips} clips of six characters
-with linear skinning. *By* is the greatest distance from the box, as a share of its longest side (`{command_of(results, "over_time")} --only over_time`; commit {commit}):
+with linear skinning. The distance is the greatest of a vertex from its box, over the longest side of the box (`{command_of(results, "over_time")} --only over_time`; commit {commit}):
 
-| | characters out | by | clusters out | by |
+| | characters out | distance / side | clusters out | distance / side |
 |---|---|---|---|---|
 """ + "\n".join(rows) + f"""
 
-Of {over_time.total(results, 'places'):,} times that a vertex was compared with a bound of its character or of a cluster, with all three ways of skinning, {'none' if misses == 0 else misses} {'was' if misses < 2 else 'were'} outside{unknown}.
+Of {over_time.total(results, 'checks'):,} times that a vertex was compared with a bound of its character or of a cluster, with all three ways of skinning, {'none' if misses == 0 else misses} {'was' if misses < 2 else 'were'} outside{unknown}.
 The volume of a character's box is at most {whole['linear']} times that of the smallest box around what was seen, and {cluster['linear']} times for a cluster on average.
 With dual quaternions the factors are {whole['dual_quaternion']} and {cluster['dual_quaternion']}, because of a clip in which blends nearly vanish; with spherical blending {whole['spherical']} and {cluster['spherical']}.
 Bounding {triangles:,} triangles takes {bounding:.0f} MB of memory; writing the character for refits, too, takes {written:.0f} MB.
@@ -150,10 +151,11 @@ BLOCKS = {"variants": variants_block, "over_time": over_time_block, "queries": q
 
 def blocks(text, path):
     """{name: text} of the measured blocks. Raises ResultError if one is missing, unknown, or does not name its commit."""
-    found = {name: body for _, name, body, _ in BLOCK.findall(text)}
-    for name in [*BLOCKS, *found]:
-        if name not in found or name not in BLOCKS:
-            raise ResultError(f"{path}: the block <!-- measured: {name} --> is {'missing' if name in BLOCKS else 'unknown'}")
+    found = {}
+    for name in [*BLOCKS, *NAME.findall(text)]:
+        if name not in BLOCKS:
+            raise ResultError(f"{path}: the block <!-- measured: {name} --> is unknown")
+        found[name] = block(text, path, f"measured: {name}")
         if not COMMIT.search(found[name]):
             raise ResultError(f"{path}: the block <!-- measured: {name} --> does not say from which commit it is")
     return found
@@ -165,4 +167,6 @@ def renewed(text, results, path, names=()):
     for name in names:
         if name not in BLOCKS:
             raise ResultError(f"{path}: has no block {name}; there are: {', '.join(BLOCKS)}")
-    return BLOCK.sub(lambda m: m[1] + (BLOCKS[m[2]](results) if not names or m[2] in names else m[3]) + m[4], text)
+    for name in names or BLOCKS:
+        text = replaced(text, path, f"measured: {name}", BLOCKS[name](results))
+    return text

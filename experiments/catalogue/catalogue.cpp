@@ -40,7 +40,7 @@ const std::vector<Comparison>& comparisons() {
 }  // namespace
 
 void write_models(const DefaultModels& models, const std::vector<std::string>& packed, const std::string& path) {
-  ResultFile file({"model", "found", "packed"});
+  ResultFile file({"model", "found", "packed_file"});
   for (std::size_t i = 0; i < models.models.size(); ++i)
     file.add({models.models[i].name, "yes", packed.empty() ? "" : packed[i]});
   for (const std::string& absent : models.absent) file.add({absent, "no", ""});
@@ -65,7 +65,7 @@ void write_variants(const std::string& path) {
 }
 
 void write_detectors(const std::string& path) {
-  ResultFile file({"detector", "origin", "found", "tolerated_share", "description"});
+  ResultFile file({"detector", "origin", "found", "tolerated_share_of_pairs", "description"});
   for (const DetectorKind& kind : detector_kinds())
     file.add({kind.name, name_of(kind.origin), "yes", format_number(kind.tolerated_share), kind.description});
   for (const std::string& engine : absent_engines()) file.add({engine, "engine", "no", "0", ""});

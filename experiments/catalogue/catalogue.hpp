@@ -9,9 +9,9 @@
 
 namespace refitlab {
 
-// Writes models.csv, which has a row for each model of the run, and then those that are absent. packed is for the explorer. It
-// has the file of each model's bytes (experiments/explorer/packed_model.hpp), relative to the folder of the results, or an empty
-// string. There are as many as models, or none.
+// Writes models.csv, which has a row for each model of the run, and then those that are absent. packed is for the explorer, and
+// becomes the column packed_file. It has the file of each model's bytes (experiments/explorer/packed_model.hpp), relative to the
+// folder of the results, or an empty string. There are as many as models, or none.
 void write_models(const DefaultModels& models, const std::vector<std::string>& packed, const std::string& path);
 
 // Writes variants.csv, which lists what the tightness experiment measures, in the report's order. The role is "refit" for a

@@ -59,10 +59,12 @@ StageTimes time_stages(Detector& detector, const Scenario& e, Query query) {
   return means;
 }
 
+std::string played_by(const AnimatedCharacter& c) { return c.clips.empty() ? "twist" : c.clips[0].name; }
+
 // Goes through all frames once, and counts and checks everything.
 CollisionResult count(const AnimatedCharacter& c, const Scenario& e, Query query, const DetectorKind& kind, Detector& detector,
                       const PairLists& expected) {
-  CollisionResult out{c.mesh.name, e.name, kind.name, kind.origin, query};
+  CollisionResult out{c.mesh.name, played_by(c), e.name, kind.name, kind.origin, query};
   const double n = static_cast<double>(e.frames.size());
   std::string frames;
   std::size_t of = 0;
@@ -97,7 +99,7 @@ CollisionResult count(const AnimatedCharacter& c, const Scenario& e, Query query
 
 // Makes the oracle's own row, with its pairs and its time.
 CollisionResult ask_oracle(const AnimatedCharacter& c, const Scenario& e, Skinning skinning, PairLists& pairs) {
-  CollisionResult out{c.mesh.name, e.name, "brute_force", Origin::oracle, Query::full};
+  CollisionResult out{c.mesh.name, played_by(c), e.name, "brute_force", Origin::oracle, Query::full};
   const double n = static_cast<double>(e.frames.size()), triangles = static_cast<double>(c.mesh.triangles.size());
   for (const ScenarioFrame& frame : e.frames) {
     out.us_per_frame += microseconds([&] { pairs.push_back(brute_force(c.mesh, c.sets, frame, skinning)); }) / n;
@@ -191,9 +193,8 @@ std::vector<CollisionResult> run_collisions(const AnimatedCharacter& c, const Co
 void write_collisions(const std::vector<CollisionResult>& results, const std::string& path) {
   ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "scene", "query", "origin"});
   for (const CollisionResult& r : results) {
-    const std::string scene = r.scene + ", " + name_of(r.query);
     const auto add = [&](const std::string& level, const char* quantity, double value, const char* unit) {
-      file.add({"collisions", r.model, scene, r.detector, level, quantity, format_number(value), unit, r.scene, name_of(r.query),
+      file.add({"collisions", r.model, r.pose, r.detector, level, quantity, format_number(value), unit, r.scene, name_of(r.query),
                 name_of(r.origin)});
     };
     add("all", "us_per_frame", r.us_per_frame, "us");
@@ -211,7 +212,7 @@ void write_collisions(const std::vector<CollisionResult>& results, const std::st
           std::pair("ratio_to_repaired", r.ratio_to_repaired)})
       if (ratio > 0) add("all", quantity, ratio, "1");
     for (std::size_t l = 0; l < r.share_refitted.size(); ++l)
-      add(std::to_string(l + 1), "share_refitted", r.share_refitted[l], "1");
+      add(std::to_string(l + 1), "share_of_nodes_refitted", r.share_refitted[l], "1");
   }
   file.write(path);
 }

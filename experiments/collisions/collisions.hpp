@@ -23,7 +23,7 @@ using StageTimes = std::array<double, std::size(stage_names)>;
 
 // A CollisionResult has means over the frames of a scenario.
 struct CollisionResult {
-  std::string model, scene, detector;
+  std::string model, pose, scene, detector;  // pose: the clip that both walkers play, or "twist"
   Origin origin;
   Query query;
   double differing_pairs = 0;  // of detectors that may have some (DetectorKind::tolerated_share)

@@ -82,8 +82,8 @@ const char* table_name_of(DisplacementBalls balls) { return balls == Displacemen
 void add_reduced(const ReducedResult& reduced, Rows& rows) {
   const bool is_skinned = reduced.kind == "vibration_skinned";
   rows.add(reduced.kind, "all", "basis", "all", "frames", reduced.frames);
-  rows.add(reduced.kind, "all", "basis", "all", "size", reduced.size);
-  rows.add(reduced.kind, "all", "basis", "all", "share", reduced.share);
+  rows.add(reduced.kind, "all", "basis", "all", "basis_vectors", reduced.size);
+  rows.add(reduced.kind, "all", "basis", "all", "share_of_squared_displacements", reduced.share);
   for (const ReducedMeasure& m : reduced.measures)
     rows.add(reduced.kind, m.variant, reduced.poses, m.levels, is_skinned ? table_name_of(Skinning::spherical) : "none",
              table_name_of(m.balls));
@@ -129,7 +129,7 @@ void write_deformations(const std::vector<DeformationResult>& results, const std
   for (const DeformationResult& r : results) {
     Rows rows(r.model, file);
     rows.add("model", "all", "model", "all", "joints", static_cast<double>(r.joints));
-    rows.add("model", "all", "model", "all", "targets", static_cast<double>(r.targets));
+    rows.add("model", "all", "model", "all", "morph_targets", static_cast<double>(r.targets));
     for (const DeformationMeasure& m : r.measures) rows.add(m.kind, m.variant, m.poses, m.levels, table_name_of(m.skinning));
     for (const DeformedCost& c : r.costs) {
       const auto add = [&](const char* quantity, double value, const char* unit) {
@@ -137,12 +137,12 @@ void write_deformations(const std::vector<DeformationResult>& results, const std
                  table_name_of(refit_variant(c.variant).skinning));
       };
       add("ns_per_sphere", c.ns_per_sphere, "ns");
-      add("ratio_to_rigid", c.to_rigid, "1");
-      add("ratio_to_rigid_kept", c.to_rigid_kept, "1");
+      add("time_ratio_to_rigid", c.to_rigid, "1");
+      add("time_ratio_to_rigid_deformation_kept", c.to_rigid_kept, "1");
     }
     for (const ReducedResult& reduced : r.reduced) add_reduced(reduced, rows);
     for (const ReducedCost& c : r.reduced_costs) {
-      rows.add("vibration", "first and last frame", c.variant, "all", "ratio_to_bd_tree", c.to_bd_tree, "1", "none",
+      rows.add("vibration", "first and last frame", c.variant, "all", "time_ratio_to_bd_tree", c.to_bd_tree, "1", "none",
                table_name_of(c.balls));
     }
   }

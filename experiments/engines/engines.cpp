@@ -181,22 +181,22 @@ void write_engines(const std::vector<EngineResult>& results, const std::string& 
         of_poses("undecided", static_cast<double>(m.undecided));
         of_poses("unbounded", static_cast<double>(m.unbounded));
         if (m.unbounded == m.poses) continue;
-        of_poses("missed_by", m.missed_by);
+        of_poses("miss_distance_over_box_side", m.missed_by);
         if (m.with_ratios() == 0) continue;
         of_poses("volume_ratio", m.volume);
         of_poses("area_ratio", m.area);
         of_poses("radius_ratio", m.radius);
-        of_poses("volume_to_joint_boxes", m.to_reference);
+        of_poses("volume_ratio_to_joint_boxes", m.to_reference);
       }
     for (const EngineCost& c : r.costs) {
       const auto of_cost = [&](const char* quantity, double value, const char* unit) {
         add("middle of the first clip", "cost", c.method, quantity, value, unit, table_name_of(c.skinning));
       };
-      of_cost("ns", c.ns, "ns");
-      of_cost("ratio_to_joint_boxes", c.ratio, "1");
+      of_cost("ns_per_box", c.ns, "ns");
+      of_cost("time_ratio_to_joint_boxes", c.ratio, "1");
       if (c.ns_of_matrices > 0) {
-        of_cost("ns_of_matrices", c.ns_of_matrices, "ns");
-        of_cost("ratio_to_joint_boxes_of_matrices", c.ratio_of_matrices, "1");
+        of_cost("ns_per_box_from_matrices", c.ns_of_matrices, "ns");
+        of_cost("time_ratio_to_joint_boxes_from_matrices", c.ratio_of_matrices, "1");
       }
     }
   }

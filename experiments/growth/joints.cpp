@@ -96,7 +96,7 @@ void write_joint_growth(const std::vector<JointGrowth>& rows, const std::string&
     if (r.many > 0) {
       add("own", "ns_of_nodes_of_many", r.own, "ns");
       add("through_descendants", "ns_of_nodes_of_many", r.through_descendants, "ns");
-      add("through_descendants", "ns_of_root_from_known", r.root_from_known, "ns");
+      add("through_descendants", "ns_of_root_from_known_cut", r.root_from_known, "ns");
     }
     add("own", "ns_of_root", r.own_root, "ns");
     add("through_descendants", "ns_of_root", r.root_through_descendants, "ns");

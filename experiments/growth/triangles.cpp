@@ -81,11 +81,11 @@ std::vector<TriangleGrowth> run_triangle_growth(const TriangleGrowthSettings& se
 }
 
 void write_triangle_growth(const std::vector<TriangleGrowth>& rows, const std::string& path) {
-  ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "triangles"});
+  ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "scene", "triangles"});
   for (const TriangleGrowth& r : rows) {
     const auto add = [&](const char* quantity, double value, const char* unit) {
-      file.add({"growth", r.result.model, r.result.scene, r.result.detector, "all", quantity, format_number(value), unit,
-                std::to_string(r.triangles)});
+      file.add({"triangle_growth", r.result.model, r.result.pose, r.result.detector, "all", quantity, format_number(value), unit,
+                r.result.scene, std::to_string(r.triangles)});
     };
     add("us_per_frame", r.result.us_per_frame, "us");
     add("pairs", r.result.pairs, "1");

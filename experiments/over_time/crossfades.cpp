@@ -55,14 +55,14 @@ void write_crossfades(const std::vector<CrossfadesResult>& results, const std::s
           {"crossfades", r.model, crossfade, "bounds", "all", quantity, format_number(value), unit, table_name_of(r.skinning)});
     };
     add("all", "refused", !r.refused.empty());
-    add("all", "seconds", r.seconds, "s");
+    add("all", "bounding_seconds", r.seconds, "s");
     for (const CrossfadeResult& c : r.crossfades) {
       const std::string name = c.first + " to " + c.second;
-      add(name, "places", static_cast<double>(c.places));
-      add(name, "outside", static_cast<double>(c.outside));
+      add(name, "checks", static_cast<double>(c.places));
+      add(name, "misses", static_cast<double>(c.outside));
       add(name, "undecided", static_cast<double>(c.undecided));
-      add(name, "whole_ratio", c.whole_ratio);
-      add(name, "cluster_ratio", c.cluster_ratio);
+      add(name, "character_volume_ratio", c.whole_ratio);
+      add(name, "mean_cluster_volume_ratio", c.cluster_ratio);
       add(name, "clusters", static_cast<double>(c.clusters));
       add(name, "flat_clusters", static_cast<double>(c.flat_clusters));
       add(name, "out_of_both_clips", static_cast<double>(c.out_of_both_clips));

@@ -37,10 +37,10 @@ long cluster_count(const Model& model) {
   return std::count_if(parts.begin(), parts.end(), [](const ModelPart& part) { return part.kind == PartKind::cluster; });
 }
 
-OverTimeGrowth longer(const Model& walk, int length, int repetitions) {
+OverTimeGrowth longer(const Model& walk, int walk_cycles, int repetitions) {
   Model model = walk;
-  model.clips[0].animation = repeated(walk.clips[0].animation, length);
-  OverTimeGrowth out{"length", length, static_cast<long>(model.triangles.size()), cluster_count(model), infinite, 0, 0};
+  model.clips[0].animation = repeated(walk.clips[0].animation, walk_cycles);
+  OverTimeGrowth out{"walk_cycles", walk_cycles, static_cast<long>(model.triangles.size()), cluster_count(model), infinite, 0, 0};
   for (int i = 0; i < repetitions; ++i) {
     const auto start = std::chrono::steady_clock::now();
     bound_model(model);
@@ -99,13 +99,13 @@ std::vector<OverTimeGrowth> run_over_time_growth(const OverTimeGrowthSettings& s
   std::vector<OverTimeGrowth> rows;
   const auto add = [&](const OverTimeGrowth& row) {
     rows.push_back(row);
-    std::printf("  by %-9s %2ld walks, %7ld triangles, %4ld clusters: %7.3f s", row.by.c_str(), row.length, row.triangles,
-                row.clusters, row.seconds);
+    std::printf("  by %-11s %2ld walks, %7ld triangles, %4ld clusters: %7.3f s", row.grown.c_str(), row.walk_cycles,
+                row.triangles, row.clusters, row.seconds);
     if (row.peak_of_all > 0) std::printf("; peak %.0f MB, with the character %.0f MB", row.peak_of_bounding, row.peak_of_all);
     std::cout << std::endl;
   };
   const Model man = walking(make_man());
-  for (const int length : {1, 2, 4, 8, 16}) add(longer(man, length, settings.repetitions));
+  for (const int walk_cycles : {1, 2, 4, 8, 16}) add(longer(man, walk_cycles, settings.repetitions));
   Model fine = man;
   for (int i = 0; i <= settings.subdivisions; ++i) {
     if (i > 0) fine = subdivide(fine);
@@ -121,13 +121,13 @@ std::vector<OverTimeGrowth> run_over_time_growth(const OverTimeGrowthSettings& s
 
 void write_over_time_growth(const std::vector<OverTimeGrowth>& rows, const std::string& path) {
   ResultFile file(
-      {"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "length", "triangles", "clusters"});
+      {"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "walk_cycles", "triangles", "clusters"});
   for (const OverTimeGrowth& r : rows) {
     const auto add = [&](const char* quantity, double value, const char* unit) {
-      file.add({"over_time_growth", "man", "walk", r.by, "all", quantity, format_number(value), unit, std::to_string(r.length),
-                std::to_string(r.triangles), std::to_string(r.clusters)});
+      file.add({"over_time_growth", "man", "walk", r.grown, "all", quantity, format_number(value), unit,
+                std::to_string(r.walk_cycles), std::to_string(r.triangles), std::to_string(r.clusters)});
     };
-    add("seconds", r.seconds, "s");
+    add("bounding_seconds", r.seconds, "s");
     if (r.peak_of_all == 0) continue;
     add("peak_megabytes_bounding", r.peak_of_bounding, "MB");
     add("peak_megabytes", r.peak_of_all, "MB");

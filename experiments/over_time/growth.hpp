@@ -15,9 +15,9 @@ struct OverTimeGrowthSettings {
 };
 
 struct OverTimeGrowth {
-  std::string by;                    // what grows: length or triangles
-  long length, triangles, clusters;  // length: of the clip, in walks
-  double seconds;                    // of bounding the model, linear skinning
+  std::string grown;                      // what grows: walk_cycles or triangles
+  long walk_cycles, triangles, clusters;  // walk_cycles: in the clip, one after another
+  double seconds;                         // of bounding the model, linear skinning
   // These are the peaks of memory of the baking process, in megabytes, until the bounds were made, and until the file was
   // written, which also has the baked character for refits. They are 0 if there was no such process.
   double peak_of_bounding, peak_of_all;

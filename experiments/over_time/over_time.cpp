@@ -103,7 +103,7 @@ void write_over_time(const std::vector<OverTimeResult>& results, const OverTimeS
     };
     add("all", "bounds", "triangles", static_cast<double>(r.triangles));
     add("all", "bounds", "clusters", static_cast<double>(r.clusters));
-    add("all", "bounds", "seconds", r.seconds, "s");
+    add("all", "bounds", "bounding_seconds", r.seconds, "s");
     add("all", "bounds", "refused_clips", static_cast<double>(r.refused.size()));
     for (const ClipResult& c : r.clips) {
       const auto add_count = [&](const char* quantity, long value) {
@@ -112,21 +112,21 @@ void write_over_time(const std::vector<OverTimeResult>& results, const OverTimeS
       add(c.clip, "bounds", "duration", c.duration, "s");
       add_count("random_times", c.random_times);
       add_count("close_times", c.close_times);
-      add_count("places", c.places);
+      add_count("checks", c.places);
       add_count("exact_checks", c.exact_checks);
       add_count("exact_misses", c.exact_misses);
       add_count("exact_undecided", c.exact_undecided);
-      add(c.clip, "bounds", "whole_ratio", c.whole_ratio);
-      add(c.clip, "bounds", "cluster_ratio", c.cluster_ratio);
+      add(c.clip, "bounds", "character_volume_ratio", c.whole_ratio);
+      add(c.clip, "bounds", "mean_cluster_volume_ratio", c.cluster_ratio);
       add_count("flat_clusters", c.flat_clusters);
       for (const ClipMisses& m : c.misses) {
-        add(c.clip, m.way, "whole_missed", m.of_whole.vertex >= 0);
-        add(c.clip, m.way, "whole_by", m.of_whole.by);
-        add(c.clip, m.way, "clusters_missed", static_cast<double>(m.clusters));
-        add(c.clip, m.way, "cluster_by", m.of_cluster.by);
-        add(c.clip, m.way, "worst_cluster", m.worst_cluster);
-        add(c.clip, m.way, "worst_vertex", m.of_cluster.vertex);
-        add(c.clip, m.way, "worst_time", m.of_cluster.time, "s");
+        add(c.clip, m.way, "character_misses", m.of_whole.vertex >= 0);
+        add(c.clip, m.way, "character_miss_distance_over_box_side", m.of_whole.by);
+        add(c.clip, m.way, "cluster_misses", static_cast<double>(m.clusters));
+        add(c.clip, m.way, "cluster_miss_distance_over_box_side", m.of_cluster.by);
+        add(c.clip, m.way, "worst_miss_cluster", m.worst_cluster);
+        add(c.clip, m.way, "worst_miss_vertex", m.of_cluster.vertex);
+        add(c.clip, m.way, "worst_miss_time", m.of_cluster.time, "s");
         add(c.clip, m.way, "undecided", static_cast<double>(m.undecided));
       }
     }

@@ -36,7 +36,7 @@ void draw_boxes_of(const Model& model, const Clip& clip, PictureTable& pictures)
   auto framed = Box<double>::empty();
   render::Scene scene;
   scene.meshes.push_back(skin_shape(model, all.vertices()));
-  std::vector<PictureNumber> numbers = {{"time", time, "s"}};
+  std::vector<PictureNumber> numbers = {{"clip_time", time, "s"}};
   for (const DrawnBox& drawn : drawn_boxes) {
     const auto& names = PoseMethods::methods();
     const auto at = std::find(names.begin(), names.end(), drawn.method);

@@ -98,9 +98,9 @@ void draw(const Model& made, const Worst& worst, PictureTable& pictures) {
   pictures.draw(scene, render::Camera::frame(framed, view, double(miss_width) / miss_height, 0.1),
                 {.width = miss_width, .height = miss_height}, {"sampled_miss", model.name, worst.clip, worst.way},
                 "sampled_miss_" + what + ".png",
-                {{"of_cluster", worst.cluster < 0 ? 0. : 1.},
-                 {"time", worst.miss.time, "s"},
-                 {"by", worst.miss.by},
+                {{"shows_cluster", worst.cluster < 0 ? 0. : 1.},
+                 {"clip_time", worst.miss.time, "s"},
+                 {"miss_distance_over_box_side", worst.miss.by},
                  {"vertices_outside", static_cast<double>(std::count(outside.begin(), outside.end(), true))}});
 }
 

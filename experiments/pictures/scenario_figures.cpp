@@ -111,8 +111,8 @@ void draw(const AnimatedCharacter& c, const std::string& scene_name, const std::
         else scene.balls.push_back({w.balls[n], figure_colors::idle, 0.03});
     pictures.draw(scene, camera, {.width = encounter_width, .height = encounter_height},
                   {figure, c.mesh.name, scene_name, asked, level}, file + "level" + std::to_string(level) + ".png",
-                  {{"share_refitted", share_refitted(c.tree, met, level)},
-                   {"share_refitted_by_default", share_refitted(c.tree, ours, level)}});
+                  {{"share_of_nodes_refitted", share_refitted(c.tree, met, level)},
+                   {"share_of_nodes_refitted_by_default", share_refitted(c.tree, ours, level)}});
   }
 }
 

@@ -4,6 +4,8 @@ import dataclasses
 import html
 import re
 
+from markupsafe import Markup
+
 GREEK = {"alpha": "α", "delta": "δ", "kappa": "κ", "pi": "π", "lambda": "λ", "epsilon": "ε", "eps": "ε"}
 
 
@@ -15,7 +17,7 @@ def inline(text):
     text = re.sub(r"\b(" + "|".join(GREEK) + r")\b", lambda m: GREEK[m[1]], text)
     text = re.sub(r"((?<![A-Za-z0-9_])[A-Za-zΣα-ω]'{0,2})_(?:\{([^}]*)\}|([A-Za-z0-9]{1,3}(?![A-Za-z0-9_])))", lambda m: f"{m[1]}<sub>{m[2] or m[3]}</sub>", text)
     text = re.sub(r"\^(-?[0-9]+|[A-Za-z](?![A-Za-z]))", r"<sup>\1</sup>", text)
-    return text
+    return Markup(text)
 
 
 def paragraphs(lines, stems):
@@ -44,7 +46,7 @@ def paragraphs(lines, stems):
     text = "\n".join(out)
     for stem in stems:
         text = re.sub(rf"\b{stem}\b", f'<a href="{stem}.html">{stem}</a>', text)
-    return text
+    return Markup(text)
 
 
 TOKENS = re.compile(r'(?P<comment>//[^\n]*)|(?P<string>"(?:\\.|[^"\\])*")|(?P<directive>^#\w+)|'
@@ -58,7 +60,7 @@ def code(text):
     for m in TOKENS.finditer(text):
         out += html.escape(text[last:m.start()], quote=False) + f'<span class="{m.lastgroup}">{html.escape(m[0], quote=False)}</span>'
         last = m.end()
-    return f"<pre><code>{out}{html.escape(text[last:], quote=False)}</code></pre>\n"
+    return Markup(f"<pre><code>{out}{html.escape(text[last:], quote=False)}</code></pre>\n")
 
 
 @dataclasses.dataclass

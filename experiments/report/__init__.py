@@ -3,6 +3,6 @@
 
 Nothing is measured here. tables reads and checks the rows, fitness says whether the paper may use them, statistics has the
 arithmetic of everything that is published; a module a section makes of the rows what its template of the same name shows;
-plots and drawings turn numbers into SVG; page puts the sections together. The paper and README take their numbers from the
-same modules.
+plots and drawings turn numbers into SVG; page puts the sections together. The paper,
+README and the reference take their rows, words and numbers from the same modules, and the reference is drawn from templates, too.
 """

@@ -70,7 +70,7 @@ class Model:
 
     def shares(self, scene, detector="spherical_repaired"):
         """Returns the share of each level's spheres that a full query refitted."""
-        found = {key[3]: row.value for key, row in self._found.items() if key[:3] == (scene, "full", detector) and key[4] == "share_refitted"}
+        found = {key[3]: row.value for key, row in self._found.items() if key[:3] == (scene, "full", detector) and key[4] == "share_of_nodes_refitted"}
         return [found[level] for level in sorted(found)]
 
     def fastest_engine(self, scene):
@@ -100,7 +100,7 @@ def differences(results):
     many."""
     out = []
     for detector in results.rows("detectors"):
-        if detector.tolerated_share > 0 and detector.found == "yes":
+        if detector.tolerated_share_of_pairs > 0 and detector.found == "yes":
             def of(quantity):
                 return sum(r.value for r in results.find("collision", variant=detector.detector, query="full", quantity=quantity))
             if list(results.find("collision", variant=detector.detector, query="full", quantity="pairs")):  # it was measured
@@ -113,10 +113,9 @@ def table_2(results):
     rows = []
     for row in original.table2():
         def us(detector):
-            return results.number_or_none("collision", model=row["model"], scene=row["scene"], query=row["query"], variant=detector,
-                                          quantity="us_per_frame")
+            return results.number_or_none("collision", model=row.model, scene=row.scene, query=row.query, variant=detector, quantity="us_per_frame")
         if us("brown") is not None:
-            rows.append((row["scenario"], [(us(detector), row[column]) for column, detector in TABLE_2.items()]))
+            rows.append((row.scenario, [(us(detector), getattr(row, column)) for column, detector in TABLE_2.items()]))
     return rows
 
 

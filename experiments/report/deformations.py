@@ -75,7 +75,7 @@ def costs(results):
     for variant in DEFAULTS:
         for kind in MADE_UP:
             changing, kept, ns = ([row.value for row in results.find("deformations", variant=variant, kind=kind, quantity=q)]
-                                  for q in ("ratio_to_rigid", "ratio_to_rigid_kept", "ns_per_sphere"))
+                                  for q in ("time_ratio_to_rigid", "time_ratio_to_rigid_deformation_kept", "ns_per_sphere"))
             if changing:
                 rows.append({"variant": VARIANTS[variant], "kind": KINDS[kind], "ns": mean(ns), "changing": mean(changing), "kept": mean(kept)})
     return rows
@@ -83,7 +83,7 @@ def costs(results):
 
 def cost_ratios(results):
     """Returns the costs over the rigid refit of the same run, by default variant, kind and model, where every frame has a new deformation."""
-    return results.values("deformations", quantity="ratio_to_rigid", kind=lambda k: k in MADE_UP, variant=lambda v: v in DEFAULTS)
+    return results.values("deformations", quantity="time_ratio_to_rigid", kind=lambda k: k in MADE_UP, variant=lambda v: v in DEFAULTS)
 
 
 def reduced_table(results, kind):
@@ -97,13 +97,13 @@ def reduced_table(results, kind):
         return results.number("deformations", model=model, kind=kind, variant="basis", quantity=quantity)
     rows = [{"method": words, "ratios": [worst(results, model=m, kind=kind, variant=v, displacements=d) for m in models],
              "misses": misses(results, kind=kind, variant=v, displacements=d), "cost": cost_to_bd_tree(results, kind, v, d)} for (v, d), words in methods.items()]
-    return {"title": title, "models": models, "shares": [of_model(m, "share") for m in models], "size": round(of_model(models[0], "size")),
+    return {"title": title, "models": models, "shares": [of_model(m, "share_of_squared_displacements") for m in models], "size": round(of_model(models[0], "basis_vectors")),
             "frames": round(of_model(models[0], "frames")), "rows": rows, "has_costs": any(row["cost"] for row in rows)}
 
 
 def cost_to_bd_tree(results, kind, variant, displacements):
     """Returns the mean over the models, or None if it was not measured."""
-    found = [row.value for row in results.find("deformations", kind=kind, variant=variant, displacements=displacements, quantity="ratio_to_bd_tree")]
+    found = [row.value for row in results.find("deformations", kind=kind, variant=variant, displacements=displacements, quantity="time_ratio_to_bd_tree")]
     return mean(found) if found else None
 
 
@@ -123,7 +123,7 @@ def section(results, page):
     if not rows:  # models without clips
         return None
     first = rows[0]["model"]
-    facts = [{"model": m, **{q: round(results.number("deformations", model=m, kind="model", quantity=q)) for q in ("joints", "targets")}} for m in models_of(results, "own")]
+    facts = [{"model": m, **{q: round(results.number("deformations", model=m, kind="model", quantity=q)) for q in ("joints", "morph_targets")}} for m in models_of(results, "own")]
     tables = [table for kind in REDUCED_KINDS if (table := reduced_table(results, kind))]
     return {"rows": rows, "variants": VARIANTS, "goals": goals(results), "costs": costs(results), "facts": facts, "reduced": tables,
             "misses": misses(results), "balls": balls(results), "plot": plot(results, first),

@@ -4,6 +4,8 @@ import pathlib
 
 from markupsafe import Markup, escape
 
+from .tables import grouped
+
 STYLE = pathlib.Path(__file__).with_name("drawings.css")
 SCALE = 120   # pixels a unit
 MARGIN = 20   # pixels
@@ -58,7 +60,4 @@ def points(row):
 
 def drawings(rows):
     """Returns {name: Drawing}, in the order of the table."""
-    of_each = {}
-    for row in rows:
-        of_each.setdefault(row.drawing, []).append(row)
-    return {name: Drawing(some) for name, some in of_each.items()}
+    return {name: Drawing(some) for name, some in grouped(rows, lambda row: row.drawing).items()}

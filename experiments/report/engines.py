@@ -4,6 +4,7 @@ cost, beside ours."""
 from . import pictures
 from .over_time import SKINNINGS
 from .statistics import mean
+from .tables import grouped
 
 # Each method has what it does, and who has it.
 METHODS = {
@@ -22,7 +23,7 @@ METHODS = {
 }
 # The goals compare this method with joint boxes. They are the greatest mean volume and cost.
 OURS, GOALS = "rounded_boxes", {"volume": 0.8, "cost": 1.0}
-RATIOS = ("volume_ratio", "area_ratio", "radius_ratio", "volume_to_joint_boxes")
+RATIOS = ("volume_ratio", "area_ratio", "radius_ratio", "volume_ratio_to_joint_boxes")
 
 
 def of_clips(results, method, quantity, **where):
@@ -36,7 +37,7 @@ def total(results, method, quantity, kind, **where):
 
 def farthest(results, method, **where):
     """Returns the row of the farthest miss, or None."""
-    row = max(results.find("engines", variant=method, quantity="missed_by", **where), key=lambda r: r.value, default=None)
+    row = max(results.find("engines", variant=method, quantity="miss_distance_over_box_side", **where), key=lambda r: r.value, default=None)
     return row if row and row.value else None
 
 
@@ -67,28 +68,26 @@ def costs(results, method):
     def mean_of(quantity):
         found = results.find("engines", variant=method, skinning="linear", kind="cost", quantity=quantity)
         return mean(r.value for r in found) if found else None
-    return {"method": METHODS[method][0], "who": METHODS[method][1], "ns": mean_of("ns"), "ratio": mean_of("ratio_to_joint_boxes"),
-            "ns_of_matrices": mean_of("ns_of_matrices"), "ratio_of_matrices": mean_of("ratio_to_joint_boxes_of_matrices")}
+    return {"method": METHODS[method][0], "who": METHODS[method][1], "ns": mean_of("ns_per_box"), "ratio": mean_of("time_ratio_to_joint_boxes"),
+            "ns_per_box_from_matrices": mean_of("ns_per_box_from_matrices"), "ratio_of_matrices": mean_of("time_ratio_to_joint_boxes_from_matrices")}
 
 
 def volumes_by_model(results, method):
     """Returns {model: volumes over joint boxes, by clip} with linear skinning."""
-    found = {}
-    for row in results.select("engines", variant=method, quantity="volume_to_joint_boxes", kind="clip", skinning="linear"):
-        found.setdefault(row.model, []).append(row.value)
-    return found
+    rows = results.select("engines", variant=method, quantity="volume_ratio_to_joint_boxes", kind="clip", skinning="linear")
+    return {model: [row.value for row in some] for model, some in grouped(rows, lambda row: row.model).items()}
 
 
 def costliest(results, method):
     """Returns the model for which a method costs the most from matrices, over joint boxes, and how much."""
-    rows = results.find("engines", variant=method, skinning="linear", kind="cost", quantity="ratio_to_joint_boxes_of_matrices")
+    rows = results.find("engines", variant=method, skinning="linear", kind="cost", quantity="time_ratio_to_joint_boxes_from_matrices")
     return max(((row.model, row.value) for row in rows), key=lambda row: row[1])
 
 
 def volume_goal(results):
     """Ours over joint boxes with linear skinning: the mean over all clips, what even the true box has, and the clips that reach the goal. either: the
     mean if a bake takes rounded boxes or capsules, model by model."""
-    ours, true = (of_clips(results, method, "volume_to_joint_boxes", skinning="linear") for method in (OURS, "all_skinned"))
+    ours, true = (of_clips(results, method, "volume_ratio_to_joint_boxes", skinning="linear") for method in (OURS, "all_skinned"))
     settings = [volumes_by_model(results, method) for method in (OURS, "joint_capsules")]
     either = [volume for model in settings[0] for volume in min((s[model] for s in settings), key=mean)]
     return {"mean": mean(ours), "true": mean(true), "either": mean(either), "reached": sum(ratio <= GOALS["volume"] for ratio in ours), "clips": len(ours)}
@@ -97,20 +96,20 @@ def volume_goal(results):
 def unseen(results):
     """Ours over joint boxes in clips that it was not fitted to but to the model's others, the same as fitted, what the true box has, and how many clips
     there are, with linear skinning; None if no model has two clips."""
-    found = results.find("engines", variant="rounded_boxes_of_other_clips", quantity="volume_to_joint_boxes", kind="clip", skinning="linear")
+    found = results.find("engines", variant="rounded_boxes_of_other_clips", quantity="volume_ratio_to_joint_boxes", kind="clip", skinning="linear")
     if not found:
         return None
 
     def of(method):
-        return mean(results.number("engines", model=r.model, pose=r.pose, variant=method, quantity="volume_to_joint_boxes", kind="clip", skinning="linear") for r in found)
+        return mean(results.number("engines", model=r.model, pose=r.pose, variant=method, quantity="volume_ratio_to_joint_boxes", kind="clip", skinning="linear") for r in found)
     return {"mean": mean(r.value for r in found), "fitted": of(OURS), "true": of("all_skinned"), "clips": len(found)}
 
 
 def clip_rows(results):
     """Returns, for each clip, our box and the true box over the joint boxes, with linear skinning."""
     rows = []
-    for row in results.select("engines", variant=OURS, quantity="volume_to_joint_boxes", kind="clip", skinning="linear"):
-        true = results.number("engines", model=row.model, pose=row.pose, variant="all_skinned", quantity="volume_to_joint_boxes", kind="clip", skinning="linear")
+    for row in results.select("engines", variant=OURS, quantity="volume_ratio_to_joint_boxes", kind="clip", skinning="linear"):
+        true = results.number("engines", model=row.model, pose=row.pose, variant="all_skinned", quantity="volume_ratio_to_joint_boxes", kind="clip", skinning="linear")
         rows.append({"model": row.model, "clip": row.pose, "ours": row.value, "true": true, "reached": row.value <= GOALS["volume"]})
     return rows
 
@@ -120,7 +119,7 @@ def section(results, page):
     if not measured:  # models without clips, or flat ones
         return None
     tables = [{"name": SKINNINGS[s], "is_linear": s == "linear", "rows": [row for method in METHODS if (row := row_of(results, method, s))]} for s in measured]
-    timed = [costs(results, method) for method in METHODS if results.find("engines", variant=method, kind="cost", quantity="ns")]
+    timed = [costs(results, method) for method in METHODS if results.find("engines", variant=method, kind="cost", quantity="ns_per_box")]
     context = {"figures": [], "colors": {}}
     if results.was_run("pictures"):
         context = {"figures": pictures.figures_of(results, page, {"engine_boxes"}), "colors": pictures.colors_of(results)}

@@ -13,9 +13,9 @@ def packed_models(results):
     """Returns (lines of base64, one for each model; the names of those that would make the page too large)."""
     lines, left_out = "", []
     for row in results.rows("models"):
-        if not row.packed:  # procedural models are made by the explorer itself
+        if not row.packed_file:  # procedural models are made by the explorer itself
             continue
-        path = results.folder / row.packed
+        path = results.folder / row.packed_file
         try:
             line = base64.b64encode(path.read_bytes()).decode()
         except OSError as error:

@@ -10,7 +10,7 @@ FITTED_CROWDS = 3      # the largest numbers of characters
 
 def triangle_times(results, scene, detector):
     """Returns (triangles, us a frame), in ascending order."""
-    return sorted((r.triangles, r.value) for r in results.select("triangle_growth", pose=scene, variant=detector, quantity="us_per_frame"))
+    return sorted((r.triangles, r.value) for r in results.select("triangle_growth", scene=scene, variant=detector, quantity="us_per_frame"))
 
 
 def triangle_exponent(results, scene, detector):
@@ -20,11 +20,11 @@ def triangle_exponent(results, scene, detector):
 def triangles_section(results, page):
     detectors = results.distinct("triangle_growth", "variant")
     scenes = []
-    for scene in results.distinct("triangle_growth", "pose"):
+    for scene in results.distinct("triangle_growth", "scene"):
         lines = [Line(d, triangle_times(results, scene, d)) for d in detectors]
         scenes.append({"name": scene, "plot": Plot(scene, "triangles", "us a frame", lines, log_x=True, log_y=True).svg(),
                        "rows": [(line.label, [us for _, us in line.points], triangle_exponent(results, scene, line.label)) for line in lines],
-                       "pairs": [r.value for r in sorted(results.select("triangle_growth", pose=scene, variant=detectors[0], quantity="pairs"),
+                       "pairs": [r.value for r in sorted(results.select("triangle_growth", scene=scene, variant=detectors[0], quantity="pairs"),
                                                          key=lambda r: r.triangles)]})
     return {"scenes": scenes, "numbers": sorted(results.distinct("triangle_growth", "triangles"))}
 
@@ -32,7 +32,7 @@ def triangles_section(results, page):
 # --- Joints ---
 
 JOINT_LINES = [("by itself", "own", "ns_of_root"), ("by a BVH cut", "through_descendants", "ns_of_root"),
-               ("by a known cut", "through_descendants", "ns_of_root_from_known")]
+               ("by a known cut", "through_descendants", "ns_of_root_from_known_cut")]
 
 
 def joint_times(results, variant, quantity):
@@ -42,7 +42,7 @@ def joint_times(results, variant, quantity):
 
 def joint_exponent(results):
     """Returns the exponent of the root's cost from a known cut."""
-    return fitted_exponent([p for p in joint_times(results, "through_descendants", "ns_of_root_from_known") if p[0] in FITTED_JOINTS])
+    return fitted_exponent([p for p in joint_times(results, "through_descendants", "ns_of_root_from_known_cut") if p[0] in FITTED_JOINTS])
 
 
 def joints_section(results, page):
@@ -52,7 +52,7 @@ def joints_section(results, page):
         def of(variant, quantity):
             return results.number_or_none("joint_growth", joints=joints, variant=variant, quantity=quantity)
         ns = [("own", "ns_of_nodes_of_many"), ("through_descendants", "ns_of_nodes_of_many"), ("own", "ns_of_root"), ("through_descendants", "ns_of_root"),
-              ("through_descendants", "ns_of_root_from_known")]
+              ("through_descendants", "ns_of_root_from_known_cut")]
         rows.append({"joints": joints, "sets": round(of("own", "joint_sets")), "many": round(of("own", "nodes_of_many_joint_sets")),
                      "us": [None if (t := of(*which)) is None else t / 1000 for which in ns],
                      "ratios": [of(variant, "root_ratio_to_optimal") for variant in ("own", "through_descendants")]})

@@ -58,8 +58,8 @@ class Page:
         return self.provenance["commit"]
 
 
-def environment():
-    env = jinja2.Environment(loader=jinja2.FileSystemLoader(FOLDER / "templates"), autoescape=True, undefined=jinja2.StrictUndefined,
+def environment(templates=FOLDER / "templates"):
+    env = jinja2.Environment(loader=jinja2.FileSystemLoader(templates), autoescape=True, undefined=jinja2.StrictUndefined,
                              trim_blocks=True, lstrip_blocks=True)
     env.filters["number"] = lambda value, pattern: "" if value is None else pattern % value
     env.filters["id"] = lambda title: "part" + re.sub(r"[^a-z0-9]+", "-", f" {title}".lower())

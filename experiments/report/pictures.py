@@ -4,7 +4,7 @@ import base64
 from dataclasses import dataclass, field
 
 from .drawings import drawings
-from .tables import ALL, ResultError
+from .tables import ALL, ResultError, grouped
 
 PLANE = ["lemma1_cap_definitions", "lemma4_quaternion_hull", "lemma5_cap_enclosing_sphere"]
 IN_SPACE = {
@@ -107,8 +107,8 @@ def scenario(title, text):
         def caption(p):
             if p.level == ALL:
                 return f"{p.count('touching_pairs')} pairs of triangles touch"
-            return (f"level {p.level}: Algorithm 1 repaired refitted {100 * p.numbers['share_refitted']:.0f} % of the spheres; "
-                    f"{default} would have refitted {100 * p.numbers['share_refitted_by_default']:.0f} %")
+            return (f"level {p.level}: Algorithm 1 repaired refitted {100 * p.numbers['share_of_nodes_refitted']:.0f} % of the spheres; "
+                    f"{default} would have refitted {100 * p.numbers['share_of_nodes_refitted_by_default']:.0f} %")
         return Figure(f"{pictures[0].model}: {title}", text(pictures[0]), captioned(pictures, caption),
                       legend=[("touching", "triangles that touch"), ("holding", "spheres that the query refitted"),
                               ("idle", "spheres that it never asked for (here refitted afterwards)")])
@@ -117,9 +117,9 @@ def scenario(title, text):
 
 def sampled_miss(pictures, default):
     def caption(p):
-        part = "a cluster (yellow)" if p.count("of_cluster") else "the whole character"
-        return (f"{part} in “{p.pose}” after {p.numbers['time']:.3g} s: {number_of(p.count('vertices_outside'), 'vertex is', 'vertices are')} outside of the box, "
-                f"by {100 * p.numbers['by']:.2g} % of its longest side")
+        part = "a cluster (yellow)" if p.count("shows_cluster") else "the whole character"
+        return (f"{part} in “{p.pose}” after {p.numbers['clip_time']:.3g} s: {number_of(p.count('vertices_outside'), 'vertex is', 'vertices are')} outside of the box, "
+                f"by {100 * p.numbers['miss_distance_over_box_side']:.2g} % of its longest side")
     return Figure(f"{pictures[0].model}: the worst miss of boxes around sampled times",
                   "The character and the cluster that get farthest out of a box around the vertices at sampled times "
                   f"({' and '.join(dict.fromkeys(p.variant for p in pictures))}), at that time.", captioned(pictures, caption), columns=2, phone_columns=1,
@@ -128,7 +128,7 @@ def sampled_miss(pictures, default):
 
 def engine_boxes(pictures, default):
     def caption(p):
-        return (f"“{p.pose}” after {p.numbers['time']:.3g} s; the volumes are {p.numbers['volume_of_rounded_boxes']:.2f} (ours), "
+        return (f"“{p.pose}” after {p.numbers['clip_time']:.3g} s; the volumes are {p.numbers['volume_of_rounded_boxes']:.2f} (ours), "
                 f"{p.numbers['volume_of_joint_boxes']:.2f} (joint boxes) and {p.numbers['volume_of_padded_pivots']:.2f} (padded pivots) times that of the true box; "
                 f"{number_of(p.count('vertices_outside'), 'vertex is', 'vertices are')} outside of the last one")
     return Figure(f"{pictures[0].model}: boxes of one pose", "The true box (gray), and those by which engines and we bound the character in one pose.",
@@ -153,9 +153,7 @@ ELSEWHERE = {"engine_boxes", "sampled_miss"}  # figures of other sections
 
 def pictures_of(results, folder):
     """Returns [(figure's name, its pictures)], in the order of the table. Raises ResultError for a file that is not there."""
-    labels, found = {}, {}
-    for row in results.rows("picture_labels"):
-        labels.setdefault(row.file, []).append(row)
+    labels, found = grouped(results.rows("picture_labels"), lambda row: row.file), {}
     for row in results.rows("pictures"):
         of_figure = found.setdefault(row.figure, {})
         picture = of_figure.setdefault(row.file, Picture(row.file, row.model, row.pose, row.variant, row.level, {}, labels.get(row.file, [])))

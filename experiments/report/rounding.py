@@ -9,6 +9,6 @@ def section(results, page):
             return results.number("rounding", model=checks.model, variant=checks.variant, quantity=quantity)
         rows.append({"model": checks.model, "variant": checks.variant, "checks": round(checks.value),
                      "misses": round(of("misses")), "float_misses": round(of("float_misses")),
-                     "percent_without_slack": 100 * of("misses_as_computed") / checks.value,
+                     "percent_without_slack": 100 * of("misses_without_slack") / checks.value,
                      "inflation": of("inflation_median"), "float_inflation": of("float_inflation_median"), "cost": of("cost_ratio")})
     return {"rows": rows}

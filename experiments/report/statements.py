@@ -7,7 +7,6 @@ with how many mutants by rule of the statement's file the tests kill (proptests/
 lemmas/proofs/status.csv, which lemmas/proofs/check compares with the compiled library. The programs' part is the last lines of the lemmas, which proptests/architecture compares with the include directives;
 a statement about a program, which has no lemma, is run by that program.
 """
-import csv
 import pathlib
 import re
 import sys
@@ -16,11 +15,10 @@ from dataclasses import dataclass
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "proptests/certificate"))
 import agreed  # noqa: E402
 
-from .tables import ResultError
-from .verdicts import Verdict, said_of_claims
+from .tables import ResultError, grouped, stored
+from .verdicts import Verdict, refutations, said_of_claims
 
-OPENING, CLOSING = "<!-- statements -->\n", "<!-- /statements -->"  # around the table in README
-OPENING_OF_PROOFS, CLOSING_OF_PROOFS = "<!-- proofs -->\n", "<!-- /proofs -->"  # around the sentences about all proofs there
+STATUS, PROVED, JUDGED = "lemmas/proofs/status.csv", "proptests/exhaustive/proved.csv", "proptests/mutants/judged.csv"
 USED_BY = re.compile(r"// Used by: (.*(?:\n// .*)*)\n\Z")
 
 
@@ -64,37 +62,24 @@ def suite_of(root, stem):
     raise ResultError(f"{root / 'proptests'}: there is no suite of the name {stem}")
 
 
-def rows_by(path, key):
-    """Returns {what key makes of a row: those rows of a table}."""
-    out = {}
-    try:
-        with path.open(newline="", encoding="utf-8") as file:
-            for row in csv.DictReader(file):
-                out.setdefault(key(row), []).append(row)
-    except (OSError, KeyError) as error:
-        raise ResultError(f"{path}: cannot be read: {error}") from error
-    return out
-
-
 def statements(root, verdicts):
     """Returns the statement of each verdict. Raises ResultError if a statement is neither proved nor has a sentence that says
     why not."""
-    path = root / "lemmas/proofs/status.csv"
-    status, out = rows_by(path, lambda row: row["stem"]), []
-    theorems = rows_by(root / "proptests/exhaustive/proved.csv", lambda row: row["theorem"].partition(".")[0])
-    mutants = rows_by(root / "proptests/mutants/judged.csv", lambda row: row["file"])
+    status, out = grouped(stored(root, STATUS), lambda row: row.stem), []
+    theorems = grouped(stored(root, PROVED), lambda row: row.theorem.partition(".")[0])
+    mutants = grouped(stored(root, JUDGED), lambda row: row.file)
     for verdict in verdicts:
-        rows = status.get(verdict.lemma, [])
-        if not rows or any(row["status"] == "not proved" and not row["note"] for row in rows):
-            raise ResultError(f"{path}: {verdict.lemma} is not proved, and no sentence says why")
-        programs, through = users(root, verdict.lemma)
+        rows = status.get(verdict.stem, [])
+        if not rows or any(row.status == "not proved" and not row.note for row in rows):
+            raise ResultError(f"{root / STATUS}: {verdict.stem} is not proved, and no sentence says why")
+        programs, through = users(root, verdict.stem)
 
         def those(outcome, column):
-            return [row[column] for row in rows if row["status"] == outcome]
-        own = programs if not (root / "lemmas" / f"{verdict.lemma}.hpp").exists() else [f"lemmas/{verdict.lemma}.hpp"]
-        judged = [row["verdict"] for file in own for row in mutants.get(file, [])]
-        exhaustive = sorted({row["theorem"].partition(".")[2] for row in theorems.get(verdict.lemma, [])})
-        out.append(Statement(verdict, suite_of(root, verdict.lemma), exhaustive, judged.count("killed"), judged.count("killed") + judged.count("alive"),
+            return [getattr(row, column) for row in rows if row.status == outcome]
+        own = programs if not (root / "lemmas" / f"{verdict.stem}.hpp").exists() else [f"lemmas/{verdict.stem}.hpp"]
+        judged = [row.verdict for file in own for row in mutants.get(file, [])]
+        exhaustive = sorted({row.theorem.partition(".")[2] for row in theorems.get(verdict.stem, [])})
+        out.append(Statement(verdict, suite_of(root, verdict.stem), exhaustive, judged.count("killed"), judged.count("killed") + judged.count("alive"),
                              those("proved", "statement"), those("refuted", "statement"), those("not proved", "note"), programs, through))
     return out
 
@@ -103,8 +88,7 @@ def said_of_tests(statement):
     v = statement.verdict
     if v.failed:
         return "TEST FAILED"
-    claims = [c for c in (f"refuted after {v.refuted_after}" if v.refuted_after else "", f"implied: refuted after {v.implied_after}" if v.implied_after else "", said_of_claims(v.printed_claims + v.claims)) if c]
-    return "; ".join(claims)
+    return "; ".join(filter(None, [*refutations(v), said_of_claims(v.printed_claims + v.claims)]))
 
 
 def cells(statement, code, plain):
@@ -133,15 +117,14 @@ def markdown(found):
     rows = [HEAD, ["---"] * 4]
     for s in found:
         tests, proofs, run_by = cells(s, lambda name: f"`{name}`", str)
-        rows.append([f"[{s.verdict.lemma}]({s.suite})", "<br>".join(tests), "<br>".join(proofs), run_by])
+        rows.append([f"[{s.verdict.stem}]({s.suite})", "<br>".join(tests), "<br>".join(proofs), run_by])
     return "".join("| " + " | ".join(row).replace("||", "\\|\\|") + " |\n" for row in rows)
 
 
 def said_of_proofs(root):
     """Returns how many statements are proved and refuted in Coq, and on which axioms, in whole sentences."""
-    rows = [row for of_stem in rows_by(root / "lemmas/proofs/status.csv", lambda row: row["stem"]).values() for row in of_stem]
-    proved, refuted = ([row for row in rows if row["status"] == status] for status in ("proved", "refuted"))
-    by_paper = sum(row["form"] in ("printed", "implied") for row in refuted)
+    proved, refuted = ([row for row in stored(root, STATUS) if row.status == status] for status in ("proved", "refuted"))
+    by_paper = sum(row.form in ("printed", "implied") for row in refuted)
     try:
         axioms = sum(line.startswith("used ") for line in (root / "lemmas/proofs/axioms.txt").read_text(encoding="utf-8").splitlines())
     except OSError as error:

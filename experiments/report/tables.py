@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of results: CSV files in long form, read into typed rows.
+"""Tables of results: CSV files in long form, read into typed rows; and by the same reader, tables that are stored in the repository.
 
 A row is a value of one quantity, in a unit, with what it is of: experiment, model, pose, variant, level and, by file, what
 else a reader needs to know of it. What the report wants to know of a row is a column: nothing is parsed out of a name.
@@ -62,13 +62,13 @@ SCHEMAS = {
     "speed": LONG,
     "batch_speed": {**LONG, "operation": text, "method": text},
     "collision": {**LONG, "scene": text, "query": one_of("full", "yes/no"), "origin": ORIGIN},
-    "triangle_growth": {**LONG, "triangles": count},
+    "triangle_growth": {**LONG, "scene": text, "triangles": count},
     "joint_growth": {**LONG, "joints": count},
     "character_growth": {**LONG, "characters": count},
     "rounding": LONG,
     "over_time": {**LONG, "skinning": skinning},
     "crossfades": {**LONG, "skinning": skinning},
-    "over_time_growth": {**LONG, "length": count, "triangles": count, "clusters": count},
+    "over_time_growth": {**LONG, "walk_cycles": count, "triangles": count, "clusters": count},
     "engines": {**LONG, "skinning": one_of("all", "linear", "spherical", "dual_quaternion"), "kind": one_of("model", "clip", "twists", "cost")},
     "deformations": {**LONG, "skinning": one_of("all", "none", "linear", "spherical", "dual_quaternion"),
                      "kind": one_of("model", "rigid", "scaled", "scaled_along_axes", "morphed", "both", "own", "vibration", "vibration_skinned", "clip"),
@@ -79,21 +79,30 @@ SCHEMAS = {
     "picture_colors": {"meaning": text, "color": text},
     "drawings": {"drawing": text, "shape": one_of("circle", "path", "dot", "text", "caption"), "kind": text, "points": text,
                  "radius": number, "closed": yes_no, "label": text},
-    "models": {"model": text, "found": yes_no, "packed": text},
+    "models": {"model": text, "found": yes_no, "packed_file": text},
     "variants": {"variant": text, "role": one_of("refit", "reference", "comparison", "optimal"), "skinning": skinning,
                  "sound": yes_no, "default": yes_no, "description": text},
-    "detectors": {"detector": text, "origin": ORIGIN, "found": yes_no, "tolerated_share": number, "description": text},
+    "detectors": {"detector": text, "origin": ORIGIN, "found": yes_no, "tolerated_share_of_pairs": number, "description": text},
     "constants": {"constant": text, "value": number, "unit": one_of(*UNITS)},
     "run": {"file": text, "effort": one_of("quick", "default", "full"), "models": one_of("default", "own")},
-    "verdicts": {"lemma": text, "role": one_of("statement", "hypothesis", "other"), "form": text,
-                 "verdict": one_of("holds", "refuted", "skipped", "TEST FAILED"), "cases": count, "degenerate_share": number, "number_type": text,
-                 "hypothesis": text, "statement": text},
+    "verdicts": {"stem": text, "role": one_of("statement", "hypothesis", "other"), "form": text,
+                 "verdict": one_of("holds", "refuted", "skipped", "TEST FAILED"), "cases": count, "share_of_degenerate_cases": number, "number_type": text,
+                 "hypothesis": text, "property": text},
 }
 
 MAY_BE_EMPTY = ["models", "crossfades"]  # of a run that needs none, and of models with one clip
 
+# These are the columns that are read of tables in the repository, by path.
+STORED = {
+    "lemmas/proofs/status.csv": dict.fromkeys(["stem", "form", "statement", "status", "note"], text),
+    "proptests/exhaustive/proved.csv": {"theorem": text},
+    "proptests/mutants/judged.csv": dict.fromkeys(["file", "verdict", "at_first"], text),
+    "paper/original_table1.csv": {"level": count, **dict.fromkeys(["reference", "linear", "spherical", "optimal"], number)},
+    "paper/original_table2.csv": {**dict.fromkeys(["scenario", "model", "scene", "query"], text), **dict.fromkeys(["lbs", "sbs", "bottom_up"], number)},
+}
 
-def read(path, schema, may_be_empty=False):
+
+def read(path, schema, may_be_empty=False, provenance=PROVENANCE):
     """The rows of a file as named tuples of the schema's columns and the provenance. schema: {column: parser}.
 
     Raises ResultError that names the file, the row (1 is the head) and the reason: a file that cannot be read, or has no rows
@@ -103,8 +112,9 @@ def read(path, schema, may_be_empty=False):
         with open(path, newline="", encoding="utf-8") as file:
             table = list(csv.reader(file))
     except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise ResultError(f"{path}: cannot be read ({error}); experiments/run or proptests/run makes it") from None
-    parsers = {**schema, **{column: text for column in PROVENANCE}}
+        maker = "; experiments/run or proptests/run makes it" if provenance else ""
+        raise ResultError(f"{path}: cannot be read ({error}){maker}") from None
+    parsers = {**schema, **dict.fromkeys(provenance, text)}
     head = table[0] if table else []
     for column in parsers:
         if head.count(column) != 1:
@@ -127,6 +137,19 @@ def read(path, schema, may_be_empty=False):
     return rows
 
 
+def stored(root, path):
+    """Returns the rows of a table in the repository."""
+    return read(root / path, STORED[path], provenance=[])
+
+
+def grouped(rows, key):
+    """Returns {what key makes of a row: those rows}, in the order in which they first stand there."""
+    out = {}
+    for row in rows:
+        out.setdefault(key(row), []).append(row)
+    return out
+
+
 class Results:
     """The tables of a folder, read when first asked for."""
 
@@ -145,7 +168,7 @@ class Results:
     def rows(self, name):
         if name not in self._rows:
             self._rows[name] = read(self.path(name), SCHEMAS[name], may_be_empty=name in MAY_BE_EMPTY)
-            self._index(name)
+            self._by_variant[name] = grouped(self._rows[name], lambda row: (getattr(row, "variant", None), getattr(row, "quantity", None)))
         return self._rows[name]
 
     def select(self, name, **where):
@@ -186,11 +209,6 @@ class Results:
     def default_variant(self, skinning="spherical"):
         """Returns the name of the refit that the library takes unless told otherwise."""
         return self.select("variants", skinning=skinning, default="yes")[0].variant
-
-    def _index(self, name):
-        index = self._by_variant[name] = {}
-        for row in self._rows[name]:
-            index.setdefault((getattr(row, "variant", None), getattr(row, "quantity", None)), []).append(row)
 
 
 def said(where):

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from . import original
 from .plots import Line, Plot
 from .statistics import span
+from .tables import grouped
 
 PLOTTED = ["spherical_printed_signed", "spherical_repaired", "control_miniball", "control_sets_miniball", "control_mixed",
            "control_many_pieces", "bottom_up"]
@@ -57,9 +58,7 @@ def plot(pose_set):
 def section(results, page):
     sets, variants = pose_sets(results), results.rows("variants")
     optimal = {level: ratio for level, ratio in enumerate(original.ratios_to_optimal(), 1)}
-    models = {}
-    for s in sets:
-        models.setdefault(s.model, []).append(s)
+    models = grouped(sets, lambda s: s.model)
     return {"variants": variants, "sets": sets, "columns": [v.variant for v in variants],
             "missing_columns": [v.variant for v in variants if v.role in ("refit", "comparison")],
             "models": models, "original": optimal, "plot": plot, "tolerance": results.constant("miss_tolerance"),

@@ -2,16 +2,16 @@
 """The verdicts on the lemmas: what the property tests say of each statement, summed up here for the page, the paper and README."""
 from dataclasses import dataclass
 
-from .statistics import weighted_mean
-from .tables import ResultError
+from markupsafe import Markup
 
-OPENING, CLOSING = "<!-- verdicts -->\n", "<!-- /verdicts -->"  # around the table in README
+from .statistics import weighted_mean
+from .tables import grouped
 
 
 @dataclass
 class Verdict:
-    """A Verdict is that of one statement, over its properties. lemma is the stem of its file."""
-    lemma: str
+    """A Verdict is that of one statement, over its properties. stem is that of its file."""
+    stem: str
     failed: bool         # a test failed: then nothing is said
     refuted_after: int   # cases until the first counterexample to what is printed; 0: none was found
     implied_after: int   # the same of what the text takes for granted without stating it
@@ -22,25 +22,22 @@ class Verdict:
     hypotheses: list     # without which a counterexample is found
 
 
-def of_lemma(lemma, rows):
-    """Returns the verdict over these rows of verdicts.csv, which are all of this lemma."""
+def of_stem(stem, rows):
+    """Returns the verdict over these rows of verdicts.csv, which are all of this stem."""
     statements = [r for r in rows if r.role == "statement"]
     printed = [r for r in statements if r.form == "printed"]
     implied = [r for r in statements if r.form == "implied"]
     repaired = [r for r in statements if r.form not in ("printed", "implied") and r.verdict == "holds"]
-    return Verdict(lemma, any(r.verdict == "TEST FAILED" for r in rows),
+    return Verdict(stem, any(r.verdict == "TEST FAILED" for r in rows),
                    *(min((r.cases for r in rows if r.verdict == "refuted"), default=0) for rows in (printed, implied)),
                    [r.cases for r in printed if r.verdict == "holds"], [r.cases for r in repaired],
-                   weighted_mean([r.degenerate_share for r in repaired], [r.cases for r in repaired]) if repaired else 0,
+                   weighted_mean([r.share_of_degenerate_cases for r in repaired], [r.cases for r in repaired]) if repaired else 0,
                    sorted({r.number_type for r in rows} - {""}), sorted({r.hypothesis for r in rows} - {""}))
 
 
 def summed_up(rows):
-    """Returns the verdict of each lemma that has a statement, in the order of the alphabet."""
-    by_lemma = {}
-    for row in rows:
-        by_lemma.setdefault(row.lemma, []).append(row)
-    return [of_lemma(lemma, some) for lemma, some in sorted(by_lemma.items()) if any(r.role == "statement" for r in some)]
+    """Returns the verdict of each stem that has a statement, in the order of the alphabet."""
+    return [of_stem(stem, some) for stem, some in sorted(grouped(rows, lambda row: row.stem).items()) if any(r.role == "statement" for r in some)]
 
 
 def said_of_claims(cases):
@@ -51,13 +48,17 @@ def said_of_claims(cases):
     return f"{len(cases)} claims, {each} cases each" if len(cases) > 1 else f"1 claim, {each} cases"
 
 
-def said_of_printed(verdict):
+def refutations(verdict, refuted="refuted"):
+    """Returns what is said of what is printed and of what is implied, where it is refuted. refuted: that word, perhaps in bold."""
+    return ([f"{refuted} after {verdict.refuted_after}"] * bool(verdict.refuted_after)
+            + [f"implied: refuted after {verdict.implied_after}"] * bool(verdict.implied_after))
+
+
+def said_of_printed(verdict, refuted="**refuted**"):
     if verdict.failed:
         return "TEST FAILED"
-    printed = f"holds ({said_of_claims(verdict.printed_claims)})" if verdict.printed_claims else ""
-    if verdict.refuted_after:
-        printed = f"**refuted** after {verdict.refuted_after}"
-    return "; ".join([printed] * bool(printed) + [f"implied: refuted after {verdict.implied_after}"] * bool(verdict.implied_after))
+    holds = verdict.printed_claims and not verdict.refuted_after
+    return "; ".join([f"holds ({said_of_claims(verdict.printed_claims)})"] * bool(holds) + refutations(verdict, refuted))
 
 
 def said_of_repaired(verdict):
@@ -69,16 +70,8 @@ def said_of_repaired(verdict):
 def markdown(verdicts):
     """Returns the table as it stands in README."""
     rows = [["statement", "as printed", "repaired, or beyond", "numbers", "hypotheses shown necessary"], ["---"] * 5]
-    rows += [[v.lemma, said_of_printed(v), said_of_repaired(v), ", ".join(v.number_types), "; ".join(v.hypotheses).replace("|", "\\|")] for v in verdicts]
+    rows += [[v.stem, said_of_printed(v), said_of_repaired(v), ", ".join(v.number_types), "; ".join(v.hypotheses).replace("|", "\\|")] for v in verdicts]
     return f"| {' | '.join(rows[0])} |\n|{'|'.join(rows[1])}|\n" + "".join(f"| {' | '.join(row)} |\n" for row in rows[2:])
-
-
-def place(text, path, opening=OPENING, closing=CLOSING):
-    """Returns where the table begins and ends in the text of a file. Raises ResultError if it has none."""
-    start, end = text.find(opening), text.find(closing)
-    if start < 0 or end < start:
-        raise ResultError(f"{path}: the lines {opening.strip()} and {closing} are missing")
-    return start + len(opening), end
 
 
 def section(results, page):
@@ -88,5 +81,6 @@ def section(results, page):
     rows = results.rows("verdicts")
     commits = sorted({row.commit for row in rows})
     verdicts = summed_up(rows)
-    return {"verdicts": verdicts, "said_of_claims": said_of_claims, "other_commits": [] if commits == [page.commit] else commits,
-            "pages": {v.lemma: f"reference/{v.lemma}.html" for v in verdicts if (page.folder / "reference" / f"{v.lemma}.html").exists()}}
+    return {"verdicts": verdicts, "said_of_printed": lambda v: Markup(said_of_printed(v, '<span class="bad">refuted</span>')), "said_of_repaired": said_of_repaired,
+            "other_commits": [] if commits == [page.commit] else commits,
+            "pages": {v.stem: f"reference/{v.stem}.html" for v in verdicts if (page.folder / "reference" / f"{v.stem}.html").exists()}}

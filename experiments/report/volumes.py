@@ -13,10 +13,10 @@ def section(results, page):
         ratios = of("ratio_to_optimal")
         if not ratios:  # the ball that the volumes are compared with
             continue
-        volumes = of("volume_to_ball")  # of flat nodes there are none
+        volumes = of("volume_ratio_to_ball")  # of flat nodes there are none
         rows.append({"model": cost.model, "variant": cost.variant, "mean": mean(ratios), "worst": max(ratios),
-                     "size_to_ball": mean(of("size_to_ball")), "volume_to_ball": mean(volumes) if volumes else None,
+                     "size_ratio_to_ball": mean(of("size_ratio_to_ball")), "volume_ratio_to_ball": mean(volumes) if volumes else None,
                      "misses": round(sum(of("misses"))), "ns": cost.value,
-                     "ratio_to_ball": results.number("volumes", model=cost.model, variant=cost.variant, level=ALL,
-                                                     quantity="ratio_to_ball")})
+                     "time_ratio_to_ball": results.number("volumes", model=cost.model, variant=cost.variant, level=ALL,
+                                                     quantity="time_ratio_to_ball")})
     return {"rows": rows}

@@ -143,7 +143,7 @@ void write_rounding(const std::vector<RoundingResult>& results, const RoundingSe
     add("exact_checks", static_cast<double>(r.checks));
     add("misses", static_cast<double>(r.misses));
     add("float_misses", static_cast<double>(r.float_misses));
-    add("misses_as_computed", static_cast<double>(r.misses_as_computed));
+    add("misses_without_slack", static_cast<double>(r.misses_as_computed));
     add("inflation_median", r.inflation);
     add("float_inflation_median", r.float_inflation);
     add("cost_ratio", r.cost);

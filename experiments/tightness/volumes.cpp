@@ -174,8 +174,8 @@ void write_volumes(const VolumeResults& results, const std::string& path) {
         };
         // A single point has no ratio.
         if (level.optimal_sum > 0) add("ratio_to_optimal", level.ratio_to_optimal(), "1");
-        if (level.ball_sum > 0) add("size_to_ball", level.size_to_ball(), "1");
-        if (level.solid_nodes > 0) add("volume_to_ball", level.volume_to_ball(), "1");
+        if (level.ball_sum > 0) add("size_ratio_to_ball", level.size_to_ball(), "1");
+        if (level.solid_nodes > 0) add("volume_ratio_to_ball", level.volume_to_ball(), "1");
         add("misses", static_cast<double>(level.misses), "1");
       }
   for (const VolumeCost& cost : results.costs) {
@@ -184,7 +184,7 @@ void write_volumes(const VolumeResults& results, const std::string& path) {
           {"volumes", cost.model, cost.pose, cost.variant, "all", quantity, format_number(value), unit, cost.pose_kind, "1"});
     };
     add("ns_per_node", cost.ns_per_node, "ns");
-    add("ratio_to_ball", cost.ratio_to_ball, "1");
+    add("time_ratio_to_ball", cost.ratio_to_ball, "1");
   }
   file.write(path);
 }

@@ -265,15 +265,17 @@ void results_are_written(Suite& t) {
         return false;
       for (const ClipResult& c : r.clips) {
         for (const auto& [quantity, value] :
-             {std::pair("places", c.places), std::pair("close_times", c.close_times), std::pair("exact_checks", c.exact_checks),
+             {std::pair("checks", c.places), std::pair("close_times", c.close_times), std::pair("exact_checks", c.exact_checks),
               std::pair("flat_clusters", c.flat_clusters)})
           if (!has(c.clip, "bounds", quantity, static_cast<double>(value))) return false;
-        if (!has(c.clip, "bounds", "whole_ratio", c.whole_ratio) || !has(c.clip, "bounds", "cluster_ratio", c.cluster_ratio))
+        if (!has(c.clip, "bounds", "character_volume_ratio", c.whole_ratio) ||
+            !has(c.clip, "bounds", "mean_cluster_volume_ratio", c.cluster_ratio))
           return false;
         for (const ClipMisses& m : c.misses)
-          if (!has(c.clip, m.way, "whole_missed", m.of_whole.vertex >= 0) || !has(c.clip, m.way, "whole_by", m.of_whole.by) ||
-              !has(c.clip, m.way, "clusters_missed", static_cast<double>(m.clusters)) ||
-              !has(c.clip, m.way, "cluster_by", m.of_cluster.by))
+          if (!has(c.clip, m.way, "character_misses", m.of_whole.vertex >= 0) ||
+              !has(c.clip, m.way, "character_miss_distance_over_box_side", m.of_whole.by) ||
+              !has(c.clip, m.way, "cluster_misses", static_cast<double>(m.clusters)) ||
+              !has(c.clip, m.way, "cluster_miss_distance_over_box_side", m.of_cluster.by))
             return false;
       }
     }

@@ -7,9 +7,9 @@ import pathlib
 import socket
 from dataclasses import dataclass, field
 
-KEY = ["lemma", "role", "form", "number_type", "hypothesis", "statement"]
+KEY = ["stem", "role", "form", "number_type", "hypothesis", "property"]
 BUILD = ["commit", "dirty", "compiler", "flags"]  # which all shards must have in common
-COLUMNS = ["lemma", "role", "form", "verdict", "cases", "seeds", "degenerate", *KEY[3:], *BUILD]
+COLUMNS = ["stem", "role", "form", "verdict", "cases", "seeds", "degenerate_cases", *KEY[3:], *BUILD]
 FAILED = "TEST FAILED"
 
 
@@ -38,11 +38,11 @@ class Claim:
             self.example = max(self.example, cases)
         else:
             self.held += cases
-            self.degenerate += round(float(row["degenerate_share"]) * cases)
+            self.degenerate += round(float(row["share_of_degenerate_cases"]) * cases)
 
     def row(self):
         verdict = FAILED if FAILED in self.verdicts else " or ".join(sorted(self.verdicts))
-        return {"verdict": verdict, "cases": self.first or self.held + self.example, "seeds": len(self.seeds), "degenerate": self.degenerate}
+        return {"verdict": verdict, "cases": self.first or self.held + self.example, "seeds": len(self.seeds), "degenerate_cases": self.degenerate}
 
 
 def merged_verdicts(tables):
@@ -53,7 +53,7 @@ def merged_verdicts(tables):
         for row in rows:
             key = tuple(row[k] for k in KEY)
             if (key, seed) in seen:
-                raise MergeError(f"two shards have the seed {seed} and the claim '{row['statement']}' of {row['lemma']}")
+                raise MergeError(f"two shards have the seed {seed} and the claim '{row['property']}' of {row['stem']}")
             seen.add((key, seed))
             builds.add(tuple(row[b] for b in BUILD))
             claims.setdefault(key, Claim()).add(row, seed)

@@ -22,7 +22,7 @@ std::string role_of(const Outcome& o) {
 
 void write_verdicts(const std::vector<Outcome>& outcomes, const std::string& folder) {
   refitlab::ResultFile file(
-      {"lemma", "role", "form", "verdict", "cases", "degenerate_share", "number_type", "hypothesis", "statement"});
+      {"stem", "role", "form", "verdict", "cases", "share_of_degenerate_cases", "number_type", "hypothesis", "property"});
   for (const Outcome& o : outcomes)
     file.add({o.stem, role_of(o), o.options.form, verdict_of_statement(o), std::to_string(o.cases),
               refitlab::format_number(o.degenerate_share), o.options.number_type, o.options.hypothesis, o.sentence},

@@ -9,8 +9,9 @@
 
 namespace proptests {
 
-// verdicts.csv in the folder, a row an outcome. role: "statement" for what the lemma or algorithm says, "hypothesis" for a
-// hypothesis without which it fails, "other" for the rest, examples among them.
+// Writes verdicts.csv in the folder, which has a row for each outcome. The stem is that of the file of the lemma or algorithm, and
+// the property is the sentence that is tested. The role is "statement" for what the lemma or algorithm says, "hypothesis" for a
+// hypothesis without which it fails, and "other" for the rest, examples among them.
 void write_verdicts(const std::vector<Outcome>& outcomes, const std::string& folder);
 
 }  // namespace proptests
