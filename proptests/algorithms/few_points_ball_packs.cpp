@@ -12,7 +12,7 @@ using namespace refitlab;
 using gen::Shape;
 namespace simd = std::experimental;
 
-// Clouds of the same number of points, one a lane, and the lanes as packs.
+// Holds clouds of the same number of points, one for each lane, and the lanes as packs.
 template <class Pack, int D>
 struct Clouds {
   using S = typename Pack::value_type;
@@ -33,8 +33,8 @@ struct Clouds {
   std::vector<std::vector<Vec<S, D>>> lanes;
 };
 
-// The lane's radius is that of the farthest point, and of the scalar kernel's ball but for rounding; its certificate is
-// of the points of the lane.
+// Says whether the lane's radius is that of the farthest point, and of the scalar kernel's ball but for rounding, and whether its
+// certificate is about the points of the lane.
 template <class Pack, int D>
 bool is_right(const SmallestBallPack<Pack, D>& found, std::size_t lane,
               std::span<const Vec<typename Pack::value_type, D>> points) {
@@ -101,7 +101,7 @@ void properties(Suite& t, const std::string& name) {
             });
 }
 
-// A point of these stays whose coefficient is lowered to 0 but for rounding.
+// Checks that a point stays in the certificate if its coefficient is lowered to 0 but for rounding.
 void coefficient_at_zero(Suite& t) {
   t.example("a coefficient that rounding would take below 0 is 0", {.number_type = "double pack"}, [] {
     using Pack = simd::native_simd<double>;

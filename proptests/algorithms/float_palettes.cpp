@@ -16,7 +16,7 @@ namespace {
 
 using namespace refitlab;
 
-// A Scene asks for palettes frame by frame, and has the same numbers made one by one.
+// Asks for palettes frame by frame, and has the same numbers made one by one.
 struct Scene {
   explicit Scene(const SkinnedMesh& model, Skinning skinning = Skinning::spherical)
       : mesh(model),
@@ -29,7 +29,7 @@ struct Scene {
     palettes.begin(&pose, at);
   }
 
-  // Asks for one, and says whether it is as when it is made by itself. What is unused of an entry is not compared.
+  // Asks for one palette, and says whether it is as when it is made by itself. Unused numbers of an entry are not compared.
   bool is_right(int set) {
     const FloatPaletteEntry& found = palettes[set];
     std::vector<FloatPaletteEntry> alone(sets.count());
