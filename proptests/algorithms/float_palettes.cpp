@@ -76,7 +76,8 @@ std::vector<int> some_of(const std::vector<int>& list, double share, std::mt1993
   return out;
 }
 
-// A frame that asks for what an earlier one asked for makes no more packs than that needs, if the frames between asked for nothing else.
+// Checks that a frame which asks for what an earlier one asked for makes no more packs than that needs, if the frames between
+// asked for nothing else.
 void check_frames(Scene& scene, std::mt19937& random, const std::function<Pose()>& pose) {
   std::vector<int> all(scene.sets.count()), known;
   for (int s = 0; s < scene.sets.count(); ++s) all[s] = s;

@@ -17,7 +17,8 @@ namespace {
 using namespace refitlab;
 using Balls = std::vector<Ball3<double>>;
 
-// Centers of any shape of cloud; radii that are 0, equal, or any; sometimes one that holds all others, or one twice.
+// Draws balls with centers of any shape of cloud. Their radii are 0, equal, or any; sometimes one ball holds all others, or one
+// is there twice.
 Balls draw(bool& degenerate) {
   const auto cloud = *gen::cloud<3>(12);
   const int radii = *rc::gen::element(0, 0, 0, 0, 0, 0, 1, 2, 3, 4);
@@ -32,7 +33,7 @@ Balls draw(bool& degenerate) {
 
 Ball3<Rational> exact(const Ball3<double>& b) { return {convert<Rational>(b.center), Rational(b.radius)}; }
 
-// Half the longest edge of the balls' box: no ball around them is smaller.
+// Returns half the longest edge of the balls' box. No ball around them has a smaller radius.
 Rational half_extent(const Balls& balls) {
   Rational longest(0);
   for (int i = 0; i < 3; ++i) {
@@ -121,7 +122,7 @@ PROPTEST(near_smallest_ball) {
     const auto ball = near_smallest_ball<Interval>(balls, 5);
     for (const auto& b : balls) {
       RC_ASSERT(encloses(ball, b) != Verdict::fails);
-      // From any center of the interval the upper end of the radius encloses.
+      // The upper end of the radius encloses the balls from any center of the interval.
       const Interval reach = norm<Interval, 3>(b.center - ball.center) + b.radius;
       RC_ASSERT(reach.inf() <= ball.radius.sup());
     }

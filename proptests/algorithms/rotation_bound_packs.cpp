@@ -11,7 +11,7 @@ namespace {
 
 using namespace refitlab;
 
-// Close ones, far ones, opposite ones, and now and then one that is not a number.
+// Returns close, far and opposite unit quaternions, and now and then one that is not a number.
 template <class S>
 std::vector<Quaternion<S>> unit_quaternions(std::mt19937_64& random, std::size_t count) {
   std::normal_distribution<S> normal;
@@ -59,7 +59,8 @@ void properties(Suite& t, const std::string& number_type) {
         Quaternion<S> sum;
         for (int i = 0; i < 4; ++i) sum[i] = direction[i][lane];
         auto expected = bound_rotations<S>(scalars[lane], sum);
-        for (const auto& q : scalars[lane])  // max_of may pass over it
+        // max_of may pass over such a number.
+        for (const auto& q : scalars[lane])
           if (q.hasNaN()) expected = all_rotations<S>();
         any += expected.center_ratio == 0;
         bool same =
