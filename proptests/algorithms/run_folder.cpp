@@ -29,7 +29,7 @@ std::string only_unit(const TemporaryFolder& folder) {
 
 void damage(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
-// Makes a run of 30 units with all that an interrupted run can get wrong: its result, and what it did for it.
+// A run has this many units, with all that an interrupted run can get wrong: its result, and what it did for it.
 constexpr int units = 30;
 
 std::string result_of(int unit) { return std::string(2000, static_cast<char>('a' + unit % 26)) + std::to_string(unit); }
