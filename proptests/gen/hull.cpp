@@ -4,7 +4,7 @@
 namespace proptests::gen {
 namespace {
 
-// Weights for as many vectors as there are.
+// Draws weights for as many vectors as there are.
 template <class T>
 rc::Gen<std::pair<std::vector<T>, std::vector<Rational>>> weighted(rc::Gen<std::vector<T>> list) {
   return rc::gen::mapcat(std::move(list), [](const std::vector<T>& values) {
