@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verdicts of a run, as a table; experiments/report sums them up by lemma, for the README, the report and the paper.
+// Writes the verdicts of a run as a table. experiments/report sums them up by lemma, for the README, the report and the paper.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace proptests {
 
-// verdicts.csv in the folder, a row an outcome. role: "statement" for what the lemma or algorithm says, "hypothesis" for a
-// hypothesis without which it fails, "other" for the rest, examples among them.
+// Writes verdicts.csv into the folder, a row for each outcome. role is "statement" for what the lemma or algorithm says,
+// "hypothesis" for a hypothesis without which it fails, and "other" for the rest, examples among them.
 void write_verdicts(const std::vector<Outcome>& outcomes, const std::string& folder);
 
 }  // namespace proptests
