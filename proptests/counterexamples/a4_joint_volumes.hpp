@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of a4_joint_volumes: a vertex that a joint at rest has to three quarters, and is pulled along by another.
+// Pins cases of a4_joint_volumes: a vertex that a joint at rest has to three quarters, and is pulled along by another.
 #pragma once
 
 #include "lemmas/a4_joint_volumes.hpp"
