@@ -80,8 +80,9 @@ class Suite {
  public:
   explicit Suite(std::string stem) : stem_(std::move(stem)) {}
 
-  // Passes if no case fails, all cases were run, and the shares of degenerate cases and of labels are as wanted. A property takes no
-  // arguments, and draws what it needs. All of them have one type here: RapidCheck would compile some forty functions for each.
+  // Passes if no case fails, all cases were run, and the shares of degenerate cases and of labels are as wanted. A property takes
+  // no arguments, and draws what it needs. All of them have one type here: RapidCheck would compile some forty functions for
+  // each.
   void holds(const std::string& sentence, const Options& options, std::function<void()> property);
   template <class Property>
   requires(!std::is_void_v<std::invoke_result_t<Property>>) void holds(const std::string&, const Options&, Property) =

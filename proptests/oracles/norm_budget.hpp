@@ -280,9 +280,9 @@ inline Vec<proptests::oracle::Budget, 3> rotate<proptests::oracle::Budget>(const
 }
 // W_kl is at most ||q_k|| ||q_l||, and P_kl at most ||q_k|| ||q_l|| ||x||, as the mean of two products of quaternions. Both are
 // linear in each operand, and so are the formulas' own errors, which are those for lengths of 1. Then no sum in the formulas is
-// longer than 1. Let q = (w, v). Of P_kl, the first two terms are w_k w_l x - v_k x (x x v_l), the first three are half of what P_kl
-// and its value for w of other signs add up to, and the fourth is half of their difference; and |w_k| ||v_l|| + |w_l| ||v_k|| and
-// |w_k w_l| + ||v_k|| ||v_l|| are at most 1, by Cauchy and Schwarz.
+// longer than 1. Let q = (w, v). Of P_kl, the first two terms are w_k w_l x - v_k x (x x v_l), the first three are half of what
+// P_kl and its value for w of other signs add up to, and the fourth is half of their difference; and |w_k| ||v_l|| + |w_l|
+// ||v_k|| and |w_k w_l| + ||v_k|| ||v_l|| are at most 1, by Cauchy and Schwarz.
 template <>
 inline MixedPair<proptests::oracle::Budget> mix_rotations<proptests::oracle::Budget>(
     const Quaternion<proptests::oracle::Budget>& a, const Quaternion<proptests::oracle::Budget>& b,
