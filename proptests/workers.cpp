@@ -61,7 +61,7 @@ class Numbers {
   int ends_[2] = {-1, -1};
 };
 
-// A failure's detail may hold bytes that are no text; they are replaced.
+// Returns a result as JSON text. A failure's detail may hold bytes that are no text, which are replaced.
 std::string json_text(const SuiteResult& result) {
   return nlohmann::json(result).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

@@ -361,7 +361,8 @@ PROPTEST(any_pose) {
     model.influences[0] = {{0, 0.5}, {1, 0.5}};
     model.vertices[0] = {9, 0, 0};
     const AnyPoseBound both = bound_any_pose(model, JointSets(model), vertices, Skinning::linear).value();
-    good = good && both.node == 0 && std::abs(both.radius - 18) < 1e-7;  // by the joint a: 2 * 9
+    // The joint a has the radius 2 * 9.
+    good = good && both.node == 0 && std::abs(both.radius - 18) < 1e-7;
     model.skeleton.nodes[1].parent = -1;
     good = good && !bound_any_pose(model, JointSets(model), vertices, Skinning::linear);
     return Checked(good, 3);

@@ -418,7 +418,8 @@ void add_broken_vertices(const json& good, std::vector<Broken>& out) {
       with(at + "position", outside, "the position is outside the reference ball");
     }
   }
-  json negative = good;  // shares of sum 1 that make the weights, one of them below 0
+  // The shares have the sum 1 and make the weights, and one of them is below 0.
+  json negative = good;
   negative["vertices"][1]["weight_vertices"] = {0, 1, 1}, negative["vertices"][1]["shares"] = {"1", "1", "-1"};
   out.push_back({"a share below 0", negative, "vertices[1]: the shares are not convex"});
 }

@@ -340,7 +340,7 @@ void replace_all(std::string& bytes, const std::string& from, const std::string&
 
 // Compares what the checker says with what it should say.
 struct Verdicts {
-  // reason says why it rejects or cannot read, and is empty if it accepts.
+  // Compares the verdict with the reason for which it should reject or be unable to read, which is empty if it should accept.
   void expect(const std::string& what, const std::string& reason, const std::string& verdict) {
     ++tried;
     if (reason.empty() ? !is_accepted(verdict) : !is_rejected_for(verdict, reason) && !is_unreadable_for(verdict, reason))

@@ -352,7 +352,8 @@ void what_is_not_followed_or_costs_nothing(Suite& t) {
     return false;
   });
   t.example("dual quaternions whose signs may change are not followed, but their linear blend is if it must", {}, [] {
-    const Model model = turning(220);  // beyond half a turn, at 9/11 of the second
+    // It is beyond half a turn at 9/11 of the second.
+    const Model model = turning(220);
     const JointSets sets(model);
     const AnimatedJoints joints(model, model.clips[0].animation, true);
     const MovingVertices dual(model, sets, Skinning::dual_quaternion, {0});

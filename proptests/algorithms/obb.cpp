@@ -96,7 +96,8 @@ void check_common_point() {
   const Content a = draw(), b = draw_beside(a);
   const int kind = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 5));
   RationalVec<3> by = gen::hull_point(a.balls) - gen::hull_point(b.balls);
-  if (kind <= 1) {  // touching: one box's corner at the other's
+  // They touch: one box's corner is at the other's.
+  if (kind <= 1) {
     const auto of_a = oracle::vertices(half_spaces(a.box())), of_b = oracle::vertices(half_spaces(b.box()));
     by = of_a[*rc::gen::inRange<std::size_t>(0, of_a.size())] - of_b[*rc::gen::inRange<std::size_t>(0, of_b.size())];
     RC_TAG("at a corner");

@@ -183,7 +183,7 @@ std::vector<RootPiece> root_pieces(const Rig& rig, const PieceOptions& options) 
 }
 
 const std::vector<Influence> rigid{{2, 1.0}};
-// The part is from 1 to of - 1.
+// Returns influences of the weight part / of, for a part from 1 to of - 1.
 std::vector<Influence> blended(int part, int of) {
   const double w = std::floor(0x1p24 * part / of) * 0x1p-24;
   return {{0, w}, {1, 1 - w}};

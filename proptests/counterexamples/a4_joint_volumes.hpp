@@ -14,7 +14,8 @@ using Volume = refitlab::CarriedVolume<Q>;
 inline const Point vertex(0, 0, 0), ahead(1, 0, 0);
 inline const std::vector<Q> weights{Q(3, 4), Q(1, 4)};
 
-// The vertex is in the volume of the joint at rest, and 4 beside that of the other one, which comes nearer by 4.
+// Returns two volumes: the vertex is in the volume of the joint at rest, and 4 beside that of the other one, which comes nearer
+// by 4.
 inline std::vector<Volume> pulled(const Q& growth) {
   refitlab::RigidTransform<Q> at_rest, coming;
   coming.translation = Point(4, 0, 0);

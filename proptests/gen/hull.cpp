@@ -40,7 +40,8 @@ rc::Gen<EnclosedHull<D>> enclosed_hull() {
   return rc::gen::apply(
       [](const std::pair<std::vector<RationalVec<D>>, std::vector<Rational>>& units, RationalVec<D> center, const Rational& more,
          int kind) {
-        if (kind < 3) {  // the mean ball of Algorithm 1
+        // This is the mean ball of Algorithm 1.
+        if (kind < 3) {
           center = RationalVec<D>::Zero();
           for (const auto& n : units.first) center += n;
           center /= Rational(static_cast<int>(units.first.size()));

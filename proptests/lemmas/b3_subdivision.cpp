@@ -331,7 +331,8 @@ void sizes_need_each_part(Suite& t) {
         const std::size_t kind = gen::any_place(8);
         q[k] += step;
         if (kind != 0) r[k] += move;
-        if (kind == 1) c.blend.x.setZero();  // so that nothing but the centers makes a gap
+        // Then nothing but the centers makes a gap.
+        if (kind == 1) c.blend.x.setZero();
         const std::size_t l = (k + 1) % 3;
         const std::string pair = gen::place(std::min(k, l), 3) + " and " + gen::place(std::max(k, l), 3);
         if (kind == 0) q[l] -= step;

@@ -244,22 +244,24 @@ void checks_need_each_part(Suite& t) {
       auto w = made_at(part == 2 ? Rational(most + amount) : part == 3 ? Rational(-most - amount) : inside, c.scale);
       if (part != 2 && part != 3) RC_ASSERT(verdict(w) == Verdict::holds);
       RC_TAG(part);
-      if (part == 0) w = made_at(inside, -c.scale);                          // the sign of the scale
-      if (part == 1) w = made_at(inside, c.scale / (Rational(1) + amount));  // the radius
-      if (part == 4) {                                                       // the center
+      if (part == 0) w = made_at(inside, -c.scale);                          // The sign of the scale is wrong.
+      if (part == 1) w = made_at(inside, c.scale / (Rational(1) + amount));  // The radius is wrong.
+      if (part == 4) {                                                       // The center is wrong.
         Vector shift = Vector::Zero();
         shift[i] = amount;
         w.cap.center += shift, w.cap.apex += shift;
       }
-      if (part == 5) {  // the apex
+      if (part == 5) {  // The apex is wrong.
         RC_PRE(w.cap.apex[i] != w.cap.center[i]);
         w.cap.apex[i] = Rational(2) * w.cap.center[i] - w.cap.apex[i];
       }
-      if (part == 6) {  // the cosine, of a narrower cap
+      // The cosine is that of a narrower cap.
+      if (part == 6) {
         RC_PRE(w.cap.cos_angle < Rational(1));
         w.cap.cos_angle += (Rational(1) - w.cap.cos_angle) / (Rational(1) + amount);
       }
-      if (part == 7) {  // and of a wider one, up to the whole surface
+      // The cosine is that of a wider cap, up to the whole surface.
+      if (part == 7) {
         RC_PRE(w.cap.cos_angle > Rational(-1));
         w.cap.cos_angle -= (Rational(1) + w.cap.cos_angle) / (amount > Rational(1) ? amount : Rational(1));
       }

@@ -190,25 +190,29 @@ void rays_and_rotations_need_each_part(Suite& t) {
       const Rational amount = *gen::positive_rational().as("amount");
       const int part = *rc::gen::inRange(0, 5).as("part");
       RC_TAG(part);
-      if (part == 0) {  // the sign of the scale: the opposite hull
+      // The sign of the scale is wrong: the hull is the opposite one.
+      if (part == 0) {
         for (auto& p : to) p = -p;
         w.scale = -w.scale;
       }
-      if (part == 1) {  // one coordinate of one of the vectors that take part
+      // One coordinate of one of the vectors that take part is wrong.
+      if (part == 1) {
         const auto k = *rc::gen::inRange<std::size_t>(0, to.size()).as("which");
         RC_PRE(w.weights[k] > Rational(0));
         to[k][*rc::gen::inRange(0, int(d)).as("coordinate")] += amount;
       }
-      if (part == 2) {  // a negative weight that makes the same blend: of two equal vectors
+      // A negative weight makes the same blend of two equal vectors.
+      if (part == 2) {
         to.push_back(to[0]);
         w.weights.push_back(-amount);
         w.weights[0] += amount;
       }
-      if (part == 3) {  // a weight too many, or too few
+      // There is a weight too many, or too few.
+      if (part == 3) {
         if (*rc::gen::arbitrary<bool>().as("too many")) w.weights.push_back(Rational(0));
         else to.push_back(to[0]);
       }
-      if (part == 4) {  // a scale of 0, where the blend is 0
+      if (part == 4) {  // The scale is 0, where the blend is 0.
         RC_PRE(squared_norm(blend(hull)) == Rational(0));
         w.scale = 0;
       }

@@ -225,15 +225,18 @@ void checks_need_each_part(Suite& t) {
       const Rational square = squared_norm(way);
       through(way);
       RC_ASSERT(verdict(way, square) == Verdict::holds);
-      RC_ASSERT(verdict(way, square + amount) == Verdict::fails && verdict(way, square / 2) == Verdict::fails);  // the distance
-      const Vector farther = way * Rational(2), nearer = way / Rational(2);  // not in the plane
+      // The distance is wrong.
+      RC_ASSERT(verdict(way, square + amount) == Verdict::fails && verdict(way, square / 2) == Verdict::fails);
+      // These are not in the plane.
+      const Vector farther = way * Rational(2), nearer = way / Rational(2);
       RC_ASSERT(verdict(farther, squared_norm(farther)) == Verdict::fails);
       RC_ASSERT(verdict(nearer, squared_norm(nearer)) == Verdict::fails);
       through(-way);  // behind
       RC_ASSERT(verdict(-way, square) == Verdict::fails);
       through(none);  // in the plane
       RC_ASSERT(verdict(none, Rational(0)) == Verdict::holds);
-      if constexpr (d > 1) {  // another point of the plane: aside along one coordinate, with a normal along another
+      // This is another point of the plane: aside along one coordinate, with a normal along another.
+      if constexpr (d > 1) {
         const int j = (i + *rc::gen::inRange(1, int(d)).as("other coordinate")) % d;
         h.normal = Vector::Zero();
         h.normal[i] = amount;
@@ -242,7 +245,7 @@ void checks_need_each_part(Suite& t) {
         through(aside);
         RC_ASSERT(verdict(aside, squared_norm(aside)) == Verdict::fails);
       }
-      h = {none, Rational(0)};  // no half-space
+      h = {none, Rational(0)};  // There is no half-space.
       RC_ASSERT(verdict(none, Rational(0)) == Verdict::fails);
     });
   });
@@ -368,7 +371,8 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
         case 0: wrong.foot += shift; break;
         case 1: wrong.squared_distance += amount; break;
         case 2: wrong.squared_distance -= amount; break;
-        default:  // another point of the plane, with its own distance
+        // This is another point of the plane, with its own distance.
+        default:
           if constexpr (d == 1) {
             wrong.foot += shift;
           } else {

@@ -265,7 +265,8 @@ void weights_are_convex_within_bounds(Suite& t) {
       [] {
         auto w = *gen::convex_weights(*rc::gen::inRange(2, 6));
         const std::size_t n = w.size(), k = gen::any_place(n);
-        WeightBounds<Rational> bounds{w, w};  // the edge: each weight at both bounds
+        // Each weight is at the edge of both bounds.
+        WeightBounds<Rational> bounds{w, w};
         RC_ASSERT(admits(bounds, Span(w)) == Verdict::holds);
         const Rational excess = *gen::excess();
         for (std::size_t i = 0; i < n; ++i)

@@ -76,8 +76,8 @@ struct PolynomialBudget {
     out.axis = axis;
     return out;
   }
-  // A computed difference of two vertices' coordinates is within a rounding of itself, and e, of the true one. Numbers of the
-  // slack are exact.
+  // Returns a computed difference of two vertices' coordinates, which is within a rounding of itself, and e, of the true one.
+  // Numbers of the slack are exact.
   static PolynomialBudget difference(int axis) {
     const Polynomial x = Polynomial::variable(axis);
     return {x, x * Polynomial(u) + (are_vertices_exact ? Polynomial() : Polynomial::variable(3)), x};

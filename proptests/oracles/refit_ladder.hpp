@@ -21,7 +21,7 @@ class RefitLadder {
         refit_(refit),
         exact_(std::move(exact)) {}
 
-  // The verdict is undecided only if the point is on the surface up to 60 digits and there is no squared form.
+  // Returns the decision, which is undecided only if the point is on the surface up to 60 digits and there is no squared form.
   refitlab::Decision encloses(const gen::RationalVec<3>& point) {
     using namespace refitlab;
     if (const Verdict v = on_rung(interval_, point); v != Verdict::undecided) return {v, Rung::interval};
