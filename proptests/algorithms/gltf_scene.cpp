@@ -795,7 +795,7 @@ void buffers_and_primitives_without_positions(Suite& t, const json& tube) {
               const std::size_t length = tube["buffers"][0]["byteLength"];
               const Model expected = model_of_scene(gltf_scene(tube.dump(), "file.gltf"));
               for (std::size_t more = 0; more <= 7; ++more)
-                // Lengths of all remainders by three come up so.
+                // So lengths of all remainders by three come up.
                 for (const bool is_cut : {false, true}) {
                   json g = tube;
                   const std::size_t own = length + (is_cut ? more : 0);

@@ -284,7 +284,7 @@ void what_is_split_and_how(Suite& t) {
     bool by_weight = true;  // 10 half ways apart is more than a row of 1
     for (const RootPiece& p : root_pieces(rig_of(ring_and_row(10, 1, 16), 3), {12}))
       if (p.joints.size() == 2) by_weight = by_weight && p.weight_range < 0.3;
-    bool by_place = true;  // This is less than a row of 14.
+    bool by_place = true;  // The weights count less than a row of 14.
     for (const RootPiece& p : root_pieces(rig_of(ring_and_row(10, 14, 16), 3), {3}))
       if (p.joints.size() == 2) by_place = by_place && p.weight_range > 0.4 && p.radius < 4;
     // A quarter of the radius counts 2.5: the row of 14 then counts less than the ring, that of 18 does not.

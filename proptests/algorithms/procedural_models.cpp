@@ -69,7 +69,7 @@ bool is_closed_and_oriented(const Model& m) {
 
 // Says whether the triangles around each vertex form one ring. (With the edges' property, the surface is then a manifold.)
 bool has_one_ring_a_vertex(const Model& m) {
-  // At v it goes around from one neighbour to the next.
+  // Entry v leads around v from one neighbour to the next.
   std::vector<std::map<int, int>> next(m.vertices.size());
   for (const Triangle& t : m.triangles)
     for (int k = 0; k < 3; ++k) next[t[k]][t[(k + 1) % 3]] = t[(k + 2) % 3];

@@ -115,7 +115,7 @@ Checked check_balls() {
       bool are_others = m.stands_alone();
       for (std::size_t n = 0; n < own.size(); ++n, ++balls) {
         are_others = are_others || own[n].radius != alone[n].radius;
-        // A printed form may be undefined in both.
+        // The radius may be NaN in both for a printed form.
         const bool are_alike = own[n].radius == alone[n].radius || std::isnan(own[n].radius);
         if (m.stands_alone() && !are_alike) wrong += m.name + " is not its variant; ";
         if (m.options.children_first && own[n].radius > alone[n].radius * (1 + 1e-12)) wrong += m.name + " is larger; ";

@@ -180,7 +180,7 @@ Checked interrupted_by_signals() {
   const int end = ::open(pipe.c_str(), O_RDWR | O_NONBLOCK);
   struct sigaction handled {
   }, before{};
-  handled.sa_handler = [](int) {};  // This is without SA_RESTART.
+  handled.sa_handler = [](int) {};  // The handler is set without SA_RESTART.
   ::sigaction(SIGUSR1, &handled, &before);
   const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); };
   const auto start = std::chrono::steady_clock::now();
