@@ -6,9 +6,10 @@
 //   sum w_k d_k <= sum w_k r_k,
 // then v' = sum w_k C_k v is, in every pose,
 // (i) within sum w_k r_k of sum w_k C_k p_k,
-// (ii) in no direction e of unit length beyond all (e, C_k p_k) + r_k: so, if all r_k >= 0, it is in the hull of the grown volumes.
-// (iii) If the inequality fails, all r_k >= 0, the d_k are the distances, and each volume is its p_k alone, there is a pose in which v' is
-// outside of the hull. (A volume that reaches farther in the direction from p_k to v may hold it.)
+// (ii) in no direction e of unit length beyond all (e, C_k p_k) + r_k: so, if all r_k >= 0, it is in the hull of the grown
+// volumes.
+// (iii) If the inequality fails, all r_k >= 0, the d_k are the distances, and each volume is its p_k alone, there is a pose in
+// which v' is outside of the hull. (A volume that reaches farther in the direction from p_k to v may hold it.)
 // Volumes that hold all that their joints move have all d_k = 0 and need not grow (a1_affine_image, for any affine joints). The
 // inequality asks of the mean what d_k <= r_k would ask of every joint, and a joint that moves a vertex little needs little.
 //

@@ -45,8 +45,8 @@ struct ControlPoint {
   S weight;
 };
 
-// Control points stray far from the surface where rotations are far apart. Weight vertices are near if W_kl > 0, and this times W_kl^2 is
-// above W_kk W_ll: of degree 3 they are less than 120 degrees of rotation apart, and of degree 2 less than 90.
+// Control points stray far from the surface where rotations are far apart. Weight vertices are near if W_kl > 0, and this times
+// W_kl^2 is above W_kk W_ll: of degree 3 they are less than 120 degrees of rotation apart, and of degree 2 less than 90.
 inline constexpr double near_of_degree_three = 4, near_of_degree_two = 2;
 
 // A mixed pair holds W_kl of two weight vertices, and with it P_kl, or N_kl for degree 2.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Beyond the paper: how far off is what a blend makes of a point, if the blend is off.
 //
-// Statement. Let q + eps d and q' + eps d' be dual quaternions of any length, with ||q' - q|| <= e, and let kappa ||q|| >= 1. If q' is
-// not 0, the rotations of every x are near each other:
+// Statement. Let q + eps d and q' + eps d' be dual quaternions of any length, with ||q' - q|| <= e, and let kappa ||q|| >= 1. If
+// q' is not 0, the rotations of every x are near each other:
 //   ||R_q' x - R_q x|| <= 2 kappa e ||x||.
 // Let also kappa ||q'|| >= 1, ||d' - d|| <= f and ||d|| <= l. Then the translations t(q, d) = 2 Im(d q*) / ||q||^2 are:
 //   ||t(q', d') - t(q, d)|| <= 2 kappa (f + kappa e l).
@@ -21,7 +21,7 @@
 
 namespace refitlab {
 
-// By how much a blend is off, as lengths of quaternions.
+// A BlendError says by how much a blend is off, as lengths of quaternions.
 template <class S>
 struct BlendError {
   S rotation;        // e
@@ -68,7 +68,7 @@ Verdict move_hypotheses(const BlendedDuals<S>& blend, const BlendedDuals<S>& oth
 
 // --- Conclusion ---
 
-// The two images of a point, or two translations.
+// ImagesOfBlends holds the two images of a point, or two translations.
 template <class S>
 struct ImagesOfBlends {
   Verdict verdict;

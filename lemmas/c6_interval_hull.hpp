@@ -28,7 +28,8 @@
 namespace refitlab {
 
 // Returns the most that a convex function reaches throughout, from the most that it reaches at the ends, or corners. Over each
-// distance it changes by no more than the scale times that. Of (n, x) the scale is ||n||, and of the distance from a point it is 1.
+// distance it changes by no more than the scale times that. The scale of (n, x) is ||n||, and that of the distance from a
+// point is 1.
 template <class S>
 S greatest_over_interval(const S& at_ends, const S& scale, const S& slack) {
   return at_ends + scale * slack;

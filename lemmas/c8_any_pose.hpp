@@ -26,7 +26,7 @@
 
 namespace refitlab {
 
-// The bounds of one joint over all poses: the greatest length of its translation, and the greatest stretch of its scale.
+// A LinkRange bounds one joint over all poses: the greatest length of its translation, and the greatest stretch of its scale.
 template <class S>
 struct LinkRange {
   S length, stretch;

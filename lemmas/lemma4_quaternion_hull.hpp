@@ -40,8 +40,8 @@ Verdict ball_keeps_hulls(const SquaredBall<S, D>& ball) {
   return less_equal(S(0), o) | multiple_of_root_at_most(S(2), squared_norm(ball.center), S(-o));
 }
 
-// A cap about a unit vector, whose squared half chord s^2 is less than this, is less than half of the surface. It is C of the ball
-// about that vector with the radius 2 s, for which o = 2 - 4 s^2 > 0.
+// A cap about a unit vector, whose squared half chord s^2 is less than this, is less than half of the surface. It is C of the
+// ball about that vector with the radius 2 s, for which o = 2 - 4 s^2 > 0.
 inline constexpr double squared_half_chord_of_half_sphere = 0.5;
 
 // --- Conclusion ---

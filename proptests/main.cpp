@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// proptests: runs every property (or those of --only STEM) and writes their verdicts.
+// The program proptests runs every property (or those of --only STEM) and writes their verdicts.
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <charconv>
@@ -56,7 +56,7 @@ std::vector<proptests::SuiteResult> run_suites(const std::vector<std::string>& s
   return results;
 }
 
-// That the errors on the list were thrown in the suites that are to throw them.
+// Checks that the errors on the list were thrown in the suites that are to throw them.
 proptests::SuiteResult check_errors(const std::vector<std::string>& stems, const std::vector<proptests::SuiteResult>& results) {
   std::map<std::string, std::set<std::string>> messages;
   for (std::size_t k = 0; k < stems.size(); ++k) messages[stems[k]] = results[k].messages;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // These balls hold the displacements by morph targets.
 //
-// Boxes beside them, of which the smaller bound would count, do not pay. In the default run of experiments/deformations they would
-// make one displaced ball of seven smaller, by 0.4 % on average, and the worst level's radius of the default refits by 0.1 % at
-// most.
+// Boxes beside them, of which the smaller bound would count, do not pay. In the default run of experiments/deformations they
+// would make one displaced ball of seven smaller, by 0.4 % on average, and the worst level's radius of the default refits by 0.1
+// % at most.
 #pragma once
 
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"

@@ -20,7 +20,8 @@ struct PieceOptions {
   // rigid piece keeps it, because it is bounded exactly as it is. 0 means never.
   double vertices_per_control_point = 0;
   // A piece whose vertices morph targets take farther from each other than this share of the node's radius, all targets with the
-  // weight 1, is listed by its vertices too, if there are at most most_displaced_vertices. Its ball would be as much larger as they may be apart.
+  // weight 1, is listed by its vertices too, if there are at most most_displaced_vertices. Its ball would be as much larger as
+  // they may be apart.
   double least_displacement = 0.02;
   std::size_t most_displaced_vertices = 0;
   // Joints that scale stretch the ball of a rigid piece by as much as any of its diameters, though its vertices may all lie along

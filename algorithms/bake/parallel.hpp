@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// parallel_for does independent pieces of work on all processors. It is for baking and checking that measure geometry, never time.
+// parallel_for does independent pieces of work on all processors. It is for baking and checking that measure geometry, never
+// time.
 #pragma once
 
 #include <atomic>

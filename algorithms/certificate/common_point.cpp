@@ -41,13 +41,15 @@ std::variant<CommonPoint, PartingPlane> common_point(const TrianglePoints& a, co
   }
   program.set_b(3, one), program.set_b(4, one);
   CGAL::Quadratic_program_options options;
-  options.set_pricing_strategy(CGAL::QP_BLAND);  // which comes to an end, and does not round
+  // Bland's rule comes to an end, and does not round.
+  options.set_pricing_strategy(CGAL::QP_BLAND);
   const auto solution = CGAL::solve_nonnegative_linear_program(program, CGAL::Gmpzf(), options);
   if (!solution.is_infeasible()) {
     std::array<Rational, 6> numerators;
     auto x = solution.variable_numerators_begin();
     for (Rational& n : numerators) n = as_rational(*x++);
-    const Rational sum = numerators[0] + numerators[1] + numerators[2];  // which is that of the others, too
+    // This is also the sum of the others.
+    const Rational sum = numerators[0] + numerators[1] + numerators[2];
     CommonPoint out;
     for (int i = 0; i < 3; ++i) out.first[i] = numerators[i] / sum, out.second[i] = numerators[3 + i] / sum;
     return out;

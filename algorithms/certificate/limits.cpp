@@ -29,8 +29,8 @@ void collect(const json& value, std::vector<std::string>& fractions) {
 // Returns how many bits a whole number has; 0 has none.
 std::size_t bits_of(const CGAL::Gmpz& n) { return n == 0 ? 0 : mpz_sizeinbase(n.mpz(), 2); }
 
-// Returns the bits of the common denominator and of the longest of the fractions over it, or nothing if the denominator has more than
-// checkers take.
+// Returns the bits of the common denominator and of the longest of the fractions over it, or nothing if the denominator has more
+// than checkers take.
 std::optional<long> bits_of(const std::vector<std::string>& fractions) {
   std::vector<Rational> numbers;
   for (const std::string& fraction : fractions) numbers.emplace_back(fraction);
@@ -97,7 +97,8 @@ long triangles_of_steps(const json& document) {
       {static_cast<long>(document["first_order"].size()), static_cast<long>(document["second_order"].size())}};
   long sum = 0;
   for (const json& step : document["steps"]) {
-    if (todo.empty()) break;  // of more steps no proof comes
+    // There is no proof with more steps.
+    if (todo.empty()) break;
     const auto [m, n] = todo.back();
     todo.pop_back();
     sum += m + n;
@@ -137,8 +138,8 @@ std::string refusal_of_pairs_certificate(const std::string& text) {
   const DefaultFloatEnvironment environment;
   if (std::string refusal = refusal_of_length(text.size()); !refusal.empty()) return refusal;
   const json document = json::parse(text);
-  std::vector<json> groups{
-      json::array({document["first"]["vertices"], document["second"]["vertices"]})};  // with a denominator each
+  std::vector<json> groups{// They have a denominator each.
+                           json::array({document["first"]["vertices"], document["second"]["vertices"]})};
   for (const json& step : document["steps"])
     if (step.is_object()) groups.push_back(step);
   for (const json& contact : document["contacts"]) groups.push_back(json::array({contact["first"], contact["second"]}));

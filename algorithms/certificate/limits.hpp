@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What checkers refuse for its size alone. They bound their own work, so that a document from anyone can be checked; whoever
-// writes a certificate says if it is beyond that. The limits and their reasons are those of proptests/certificate/check and
-// check_pairs.
+// These functions say what checkers refuse for its size alone. Checkers bound their own work, so that a document from anyone can
+// be checked; whoever writes a certificate says if it is beyond that. The limits and their reasons are those of
+// proptests/certificate/check and check_pairs.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,8 @@ std::string refusal_of_length(std::size_t bytes);
 // Returns why checkers of balls refuse a certificate of a ball (certificate.hpp) before any of its proofs, or nothing. The reason
 // is in the words of the checker in Python.
 std::string refusal_of_certificate(const std::string& text);
-// Returns why checkers of pairs refuse a certificate of pairs (pairs_certificate.hpp) before any of its proof, or nothing. Its numbers
-// have no more digits than they read.
+// Returns why checkers of pairs refuse a certificate of pairs (pairs_certificate.hpp) before any of its proof, or nothing. Its
+// numbers have no more digits than they read.
 std::string refusal_of_pairs_certificate(const std::string& text);
 // Returns a line that says so, to be shown where the file is written, or nothing if there is no refusal.
 std::string note_of_refusal(const std::string& file, const std::string& refusal);

@@ -99,7 +99,7 @@ std::optional<PartingPlane> plane_between(const SetVertices& a, const SetVertice
   return PartingPlane{convert<Rational>(normal), Rational(offset)};
 }
 
-constexpr int most_directions = 20;  // that are tried before a set is halved
+constexpr int most_directions = 20;  // So many are tried before a set is halved.
 
 // Returns a plane between the sets, if one is found soon. It comes from the point of the difference of their hulls that is
 // nearest to 0. That is approached along segments to the points that are farthest towards 0 [Gilbert 1966].

@@ -17,11 +17,11 @@ struct GltfGeometry {
 };
 
 // bytes are those of a .glb or a .gltf file, and path is for error messages. Returns a .glb file whose description has the nodes,
-// meshes, skins, animations and the buffers below them. Its data URIs have as many bytes as the buffers, even if they had more, and its
-// other URIs are as tinygltf reads them, which takes "+" for a space. Animation channels without a node are left out. Throws ModelError that
-// names the file, the object of the description and the reason. The reasons are a file that ends early or is not glTF 2, a member
-// of another type than it must have, an extension that changes geometry (compression and instancing among them), and a buffer
-// without bytes.
+// meshes, skins, animations and the buffers below them. Its data URIs have as many bytes as the buffers, even if they had more,
+// and its other URIs are as tinygltf reads them, which takes "+" for a space. Animation channels without a node are left out.
+// Throws ModelError that names the file, the object of the description and the reason. The reasons are a file that ends early or
+// is not glTF 2, a member of another type than it must have, an extension that changes geometry (compression and instancing among
+// them), and a buffer without bytes.
 GltfGeometry gltf_geometry(const std::string& bytes, const std::string& path);
 
 }  // namespace refitlab

@@ -10,8 +10,8 @@
 namespace refitlab {
 namespace {
 
-// A mesh may be placed by any map, as its joints undo it, but what a joint has flattened at rest comes back as rounding alone. This is the
-// least that a map may stretch, as a share of the most: rounding grows by the square of its inverse.
+// A mesh may be placed by any map, as its joints undo it, but what a joint has flattened at rest comes back as rounding alone.
+// This is the least that a map may stretch, as a share of the most: rounding grows by the square of its inverse.
 constexpr double least_stretch = 1e-3;
 
 bool can_place(const Eigen::Matrix4d& map) {
@@ -22,7 +22,8 @@ bool can_place(const Eigen::Matrix4d& map) {
 
 using Corners = std::vector<Eigen::Vector4d>;
 
-// Returns the corners of the box of these points, or of these displacements if w is 0. Two maps that agree there agree on all of them.
+// Returns the corners of the box of these points, or of these displacements if w is 0. Two maps that agree there agree on all of
+// them.
 Corners box_corners(const std::vector<Eigen::Vector3d>& points, double w) {
   Eigen::Vector3d low = points[0], high = low;
   for (const Eigen::Vector3d& p : points) {
@@ -35,7 +36,7 @@ Corners box_corners(const std::vector<Eigen::Vector3d>& points, double w) {
   return corners;
 }
 
-// Where the vertices of a primitive are, and by what its morph targets move them.
+// Holds where the vertices of a primitive are, and by what its morph targets move them.
 struct Extent {
   Corners box;
   std::vector<Corners> displacements;  // by target
@@ -155,7 +156,7 @@ class Binder {
     return static_cast<int>(joints_.size()) - 1;
   }
 
-  // What a joint was made of: the offset that the file has, and the placement of the mesh.
+  // Holds what a joint was made of: the offset that the file has, and the placement of the mesh.
   struct Made {
     Eigen::Matrix4d own, placement;
   };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int moments_looked_at = 16;
 
-// Of a list by vertex in increasing order.
+// Returns the part of a vertex in a list by vertex in increasing order.
 template <class T>
 std::span<const T> part_of_vertex(std::span<const T> all, int vertex) {
   const auto first = std::lower_bound(all.begin(), all.end(), vertex, [](const T& one, int v) { return one.vertex < v; });

@@ -58,7 +58,7 @@ class Skin {
     model_.sources.push_back(std::move(source));
   }
 
-  // After all primitives.
+  // Is called after all primitives.
   void finish() {
     auto& placed = model_.placed_vertices;
     const auto key = [](const PlacedVertex& v) { return std::pair(v.vertex, v.placement); };
@@ -133,7 +133,8 @@ class Skin {
     farthest_sum_ = std::max(farthest_sum_, std::abs(sum - 1));
     const Point3 rest = (bound.placement * position_of(use, primitive, index).homogeneous()).head<3>();
     const std::vector<double> moved = morphed < 0 ? std::vector<double>{} : displacements_of(bound, primitive, index);
-    // By the file's own weights: what only their rounding makes the same is not, and a triangle of it has three corners.
+    // The weights are the file's own: vertices that only the rounding of weights makes equal stay apart, and a triangle of them
+    // has three corners.
     return *known_.try_emplace({{rest[0], rest[1], rest[2]}, weights, moved.empty() ? -1 : morphed, moved}, -1).first;
   }
 

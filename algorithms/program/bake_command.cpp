@@ -163,7 +163,8 @@ std::vector<std::string> parts_without_ball(const ModelBounds& bounds) {
   return out;
 }
 
-// Returns a note if the description names other files, and is to be in another folder, from which their paths do not lead to them.
+// Returns a note if the description names other files, and is to be in another folder, from which their paths do not lead to
+// them.
 std::vector<std::string> files_left_behind(const std::string& description, const BakeCall& call) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -230,7 +231,8 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
 
   chunks[0].data = with_extras(chunks[0].data, model, bounds, call.bounds, call.in);
   std::erase_if(chunks, [](const GlbChunk& chunk) { return chunk.type == refitlab_chunk; });
-  // The second chunk is for buffers. Where there is none, many readers refuse another kind in its place; one of zeros harms nothing.
+  // The second chunk is for buffers. Where there is none, many readers refuse another kind in its place; one of zeros harms
+  // nothing.
   if (chunks.size() < 2 || chunks[1].type != bin_chunk) chunks.insert(chunks.begin() + 1, {bin_chunk, std::string(4, '\0')});
   BakedFile baked_file{bounds.skinning, bounds.rotations, std::nullopt, clusters_of(model, bounds)};
   if (call.with_character) baked_file.character = character ? *std::move(character) : baked_character(model);

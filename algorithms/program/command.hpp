@@ -51,8 +51,8 @@ void check_written(std::vector<NamedFile> others, const std::vector<NamedFile>& 
 // Returns whether what is written to this file comes out of the program's standard output.
 bool is_standard_output(const std::string& path);
 
-// Returns where to write what a person reads: to errors, if one of the files that are written comes out of the standard output, which is
-// to be read by a program then.
+// Returns where to write what a person reads: to errors, if one of the files that are written comes out of the standard output,
+// which is to be read by a program then.
 std::ostream& told_to(const std::vector<NamedFile>& written, std::ostream& out, std::ostream& errors);
 
 // Returns the name that --skinning takes.

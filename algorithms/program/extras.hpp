@@ -10,8 +10,9 @@
 namespace refitlab {
 
 // Returns the JSON text of a file with the bounds added. Skins, meshes and primitives get bounds for all clips and the rest pose,
-// and animations get their own. options are those with which the bounds were made. Every other byte stays. Existing extras of refitlab
-// are replaced, or removed where there is no bound. file is for error messages. Throws ModelError for extras that are no object.
+// and animations get their own. options are those with which the bounds were made. Every other byte stays. Existing extras of
+// refitlab are replaced, or removed where there is no bound. file is for error messages. Throws ModelError for extras that are no
+// object.
 std::string with_extras(const std::string& json, const Model& model, const ModelBounds& bounds, const ModelBoundsOptions& options,
                         const std::string& file);
 

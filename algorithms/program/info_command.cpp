@@ -16,7 +16,8 @@ namespace {
 
 namespace po = boost::program_options;
 
-// Returns whether a clip's poses are rigid at the times that are checked on loading, as refits on demand require, or else why not.
+// Returns whether a clip's poses are rigid at the times that are checked on loading, as refits on demand require, or else why
+// not.
 std::string rigid_or_why(const Clip& clip) {
   try {
     for (const double time : key_times(clip.animation, max_checked_times)) clip.sample(time);

@@ -151,7 +151,7 @@ class Splicer {
       const Member& member = members[i];
       const auto found = edit.members.find(member.name);
       if (found != edit.members.end() && found->second.is_removed) {
-        // With the comma and space before it, or behind it if no member is left before it.
+        // The comma and space before it are removed with it, or those behind it if no member is left before it.
         const bool is_last = i + 1 == members.size();
         replace(kept > 0 ? members[i - 1].end : member.begin, kept > 0 || is_last ? member.end : members[i + 1].begin, "");
         continue;

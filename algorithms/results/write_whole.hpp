@@ -13,8 +13,8 @@ namespace refitlab {
 // Throws std::runtime_error that names the path and the reason.
 void write_whole(const std::string& path, const std::string& text);
 
-// Throws the error of write_whole if it is sure to refuse this path, as far as that can be said before. Changes nothing. It is for those who
-// compute long before they write.
+// Throws the error of write_whole if it is sure to refuse this path, as far as that can be said before. Changes nothing. It is
+// for those who compute long before they write.
 void check_writable(const std::string& path);
 
 // Returns all bytes of a file. Throws std::runtime_error that names the path and the reason.

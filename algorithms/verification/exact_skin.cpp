@@ -73,7 +73,7 @@ bool ExactSkin::is_in(const Box<double>& box, int vertex) {
   const Enclosure& quick = enclosure(vertex);
   for (int i = 0; i < 3; ++i) {
     if (std::isnan(box.low[i]) || std::isnan(box.high[i])) return false;
-    // How far it is inside of the nearer wall.
+    // This is how far it is inside of the nearer wall.
     const double depth = std::min(quick.about[i] - box.low[i], box.high[i] - quick.about[i]);
     const double unsure = 2 * quick.error + 1e-14 * std::abs(quick.about[i]) + 1e-150;
     if (depth > unsure) continue;

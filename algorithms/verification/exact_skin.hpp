@@ -32,7 +32,7 @@ class ExactSkin {
   // skinned in intervals, is in or out by more than its uncertainty, and in rationals otherwise. A ball that is not finite has
   // the vertex only if the radius is infinite.
   bool is_in(const Ball3<double>& ball, int vertex);
-  // Likewise of a box.
+  // Returns whether the box has the vertex, decided in the same way.
   bool is_in(const Box<double>& box, int vertex);
 
  private:

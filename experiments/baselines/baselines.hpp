@@ -15,7 +15,7 @@ DetectorKind bounded_kind(const DetectorKind& kind);
 // Returns the engines that were not found.
 std::vector<std::string> absent_engines();
 
-// The rivals that skin everything in float. Which of them is faster depends on the scene and on the size of the meshes.
+// These rivals skin everything in float. Which of them is faster depends on the scene and on the size of the meshes.
 inline constexpr const char* float_rivals[] = {"skin_all_float", "skin_all_float_512"};
 
 using Maker = std::unique_ptr<Detector>(const Character& character);

@@ -67,8 +67,8 @@ class Embree : public SkinningDetector {
     *arguments->bounds_o = {box.low[0], box.low[1], box.low[2], 0, box.high[0], box.high[1], box.high[2], 0};
   }
 
-  // Embree lists all pairs of two leaves, so their boxes are compared here. It cannot be stopped: after the first pair that touches,
-  // the others are let through.
+  // Embree lists all pairs of two leaves, so their boxes are compared here. It cannot be stopped: after the first pair that
+  // touches, the others are let through.
   static void add(void* user, RTCCollision* collisions, unsigned count) {
     Embree& self = *static_cast<Embree*>(user);
     for (unsigned i = 0; i < count && !self.candidates_.is_done(); ++i) {

@@ -31,7 +31,8 @@ Point3 direction_from(const RoundedBox& box, const Point3& point) {
   return out;
 }
 
-// Of a direction: its greatest coordinate and all signs, so that rows of one round are of different sides of a box.
+// Returns a number for a direction's greatest coordinate and all signs, so that rows of one round are of different sides of a
+// box.
 int side_of(const Point3& d) {
   int greatest = 0;
   d.cwiseAbs().maxCoeff(&greatest);
@@ -154,7 +155,7 @@ double BoxProgram::add_wall_rows(double least) {
   return most;
 }
 
-// Of the vertices that lack, the worst for each joint and side of its box get a row. Returns the greatest lack.
+// Adds a row for the worst of the vertices that lack, for each joint and side of its box. Returns the greatest lack.
 double BoxProgram::add_vertex_rows() {
   struct Worst {
     double lack = 0;

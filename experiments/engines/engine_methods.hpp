@@ -74,12 +74,12 @@ struct ClipBox {
 };
 
 // Returns the boxes of a clip:
-// - that of the pose in which the file's nodes leave the joints, where the scene shows it. Filament culls a renderable by a box that it
-//   was built with, which stays unless a program changes it;
+// - that of the pose in which the file's nodes leave the joints, where the scene shows it. Filament culls a renderable by a box
+//   that it was built with, which stays unless a program changes it;
 // - that one made larger by hand, as until nothing seems to vanish: by 2;
 // - those around sampled times (experiments/over_time/sampled_boxes.hpp). flutter_scene takes the keys;
-// - that of joint boxes at fixed steps, which Babylon.js's computeMaxExtents merges. There, every vertex counts for each of its bones,
-//   whatever its weight.
+// - that of joint boxes at fixed steps, which Babylon.js's computeMaxExtents merges. There, every vertex counts for each of its
+//   bones, whatever its weight.
 std::vector<ClipBox> clip_boxes(const Model& model, const PlayedClip& clip, PoseMethods& methods);
 // Returns the methods of these boxes, in this order.
 const std::vector<std::string>& clip_methods();

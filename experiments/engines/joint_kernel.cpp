@@ -52,7 +52,7 @@ inline Four greater_of(const Four& a, const Four& b) { return a < b ? b : a; }
 }
 [[gnu::always_inline]] inline Four in_four_lanes(const S& x) { return in_four_lanes(__builtin_bit_cast(Row<float, width>, x)); }
 
-// The greatest of each of three packs, and that of the last once more.
+// Returns the greatest of each of three packs, and that of the last once more.
 [[gnu::always_inline]] inline Four greatest_of(const S (&packs)[3]) {
   const Four a = in_four_lanes(packs[0]), b = in_four_lanes(packs[1]), c = in_four_lanes(packs[2]);
   const Four two = greater_of(__builtin_shufflevector(a, b, 0, 4, 1, 5), __builtin_shufflevector(a, b, 2, 6, 3, 7)),
@@ -60,8 +60,9 @@ inline Four greater_of(const Four& a, const Four& b) { return a < b ? b : a; }
   return greater_of(__builtin_shufflevector(two, one, 0, 1, 4, 4), __builtin_shufflevector(two, one, 2, 3, 5, 5));
 }
 
-// Merges what add(block, matrices, volumes, merge) merges for some joints of a block: by axis how far they reach against it, and
-// along it. volume_numbers: by joint. is_grown: along each axis by lost times the greatest absolute value.
+// Merges what add(block, matrices, volumes, merge) merges for some joints of a block: by axis, how far they reach against it and
+// along it. A joint has volume_numbers numbers. With is_grown, the box grows along each axis by lost times the greatest absolute
+// value.
 template <int volume_numbers, bool is_grown, class Add>
 [[gnu::always_inline]] inline void merge_joints(const float* matrices, const float* volumes, int blocks, float lost, float* out,
                                                 const Add& add) {

@@ -2,8 +2,8 @@
 // The kernel of boxes around whole characters makes the matrices of all joints in float, and the boxes around what joints carry,
 // a joint a lane.
 //
-// A pose comes as quaternions; matrices are what engines have of it. All arrays are by blocks of Lanes<float>::count joints, each of them
-// by number, then by joint, so that a kernel finds all numbers of a block from one address.
+// A pose comes as quaternions; matrices are what engines have of it. All arrays are by blocks of Lanes<float>::count joints, each
+// of them by number, then by joint, so that a kernel finds all numbers of a block from one address.
 #pragma once
 
 #include "algorithms/runtime/packs/targets.hpp"
@@ -18,13 +18,13 @@ inline constexpr int matrix_numbers = 12, box_numbers = 6, rounded_box_numbers =
 inline constexpr float extent_of_nothing = -1e30f;
 
 struct JointKernels {
-  // pose: a quaternion, a translation and an unused number by joint. scratch has pose_numbers by joint.
+  // pose has a quaternion, a translation and an unused number by joint. scratch has pose_numbers by joint.
   void (*matrices)(const double* pose, int joint_count, float* scratch, int blocks, float* matrices);
-  // out: the least x, y, z, then the greatest.
+  // out gets the least x, y, z, then the greatest.
   void (*boxes)(const float* matrices, const float* boxes, int blocks, float* out);
   // These are grown along each axis by lost times the greatest absolute value of what comes out.
   void (*capsules)(const float* matrices, const float* capsules, int blocks, float lost, float* out);
-  // are_balls: by block, whether all half extents are 0, which then are not read.
+  // are_balls says, by block, whether all half extents are 0, which then are not read.
   void (*rounded_boxes)(const float* matrices, const float* boxes, const unsigned char* are_balls, int blocks, float lost,
                         float* out);
 };

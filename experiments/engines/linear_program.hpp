@@ -9,7 +9,7 @@
 
 namespace refitlab {
 
-// A coefficient of a row.
+// A ProgramTerm is a variable of a row and its coefficient.
 struct ProgramTerm {
   int variable;
   double factor;
@@ -19,18 +19,18 @@ class LinearProgram {
  public:
   LinearProgram() : program_(glp_create_prob(), glp_delete_prob) { glp_set_obj_dir(program_.get(), GLP_MIN); }
 
-  // The position of a new variable, which is at least `least` and at most `most`, both finite.
+  // Returns the position of a new variable, which is at least `least` and at most `most`, both finite.
   int add_variable(double least, double most);
-  // From now on, a variable is at most this, which is no less than the least that it may be.
+  // Lets a variable be at most this from now on, which is no less than the least that it may be.
   void set_most(int variable, double most);
-  // What a variable counts in the sum that is to be least; 0 at first.
+  // Sets what a variable counts in the sum that is to be least, which is 0 at first.
   void set_cost(int variable, double cost) { glp_set_obj_coef(program_.get(), variable + 1, cost); }
-  // The sum of the terms is at least this. A variable is in a row once at most.
+  // Requires that the sum of the terms is at least this. A variable is in a row at most once.
   void add_row(const std::vector<ProgramTerm>& terms, double least);
 
-  // False if no least sum is found.
+  // Returns false if no least sum is found.
   bool solve();
-  // Of the last solution, within the variable's bounds.
+  // Returns the variable's value in the last solution, within its bounds.
   double value(int variable) const;
 
  private:

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rounded joint boxes: our box around a linearly skinned character at about the cost of joint boxes. Each joint carries a box grown
-// by a radius in all directions, and the box of the character is around all of them. Each vertex asks for one inequality
-// (a4_joint_volumes), which makes the boxes sound for rigid joints in every pose. Among sound boxes, a linear program picks those that
-// make the box of the character small (box_program.hpp) in poses that are expected, such as those of clips.
+// Rounded joint boxes: our box around a linearly skinned character at about the cost of joint boxes. Each joint carries a box
+// grown by a radius in all directions, and the box of the character is around all of them. Each vertex asks for one inequality
+// (a4_joint_volumes), which makes the boxes sound for rigid joints in every pose. Among sound boxes, a linear program picks those
+// that make the box of the character small (box_program.hpp) in poses that are expected, such as those of clips.
 //
-// A block of joints, as kernels take them, has balls instead, which cost less, where that makes the character's box hardly larger.
+// A block of joints, as kernels take them, has balls instead, which cost less, where that makes the character's box hardly
+// larger.
 //
 // Rounding. Let u = 2^-24. Entries of matrices from quaternions in float have an error below 10 u, an image of p has four
 // roundings of each of its products, and a quaternion whose squared length is off by 1e-6 turns p by 34 u of its length:
@@ -30,7 +31,7 @@ RoundedBox ball_around(const RoundedBox& box);
 // Returns the distance of a point from the box without its radius.
 double distance_from_box(const RoundedBox& box, const Point3& point);
 
-// By joint. Of the reference pose if none is expected.
+// Returns the boxes by joint. They are fitted to the reference pose if none is expected.
 std::vector<RoundedBox> fit_rounded_boxes(const SkinnedMesh& mesh, std::span<const Pose> expected);
 
 class RoundedBoxes {

@@ -40,7 +40,7 @@ std::vector<double> weighted_radii(const std::vector<Inequality>& inequalities, 
     if (lack_of(i, none) <= 0) continue;
     for (const WeightedDistance& t : i) uses[t.joint].push_back({&i, t.weight});
   }
-  // Half-way at first, so that all joints give way, and not those before others.
+  // At first they go half-way, so that all joints give way, and not some before others.
   for (int pass = 0; pass < radius_passes; ++pass)
     for (std::size_t j = 0; j < radii.size(); ++j) {
       double least = 0;

@@ -16,8 +16,8 @@ struct WeightedDistance {
   double weight, distance;  // of v from the joint's volume
 };
 
-// Radii by joint, from those that are given, which are at least 0: raised where an inequality by vertex lacks, then lowered one by
-// one, until none can be less by itself. Those of joints in no inequality become 0.
+// Returns radii by joint, from those that are given, which are at least 0: they are raised where an inequality by vertex lacks,
+// then lowered one by one, until none can be less by itself. Those of joints in no inequality become 0.
 std::vector<double> weighted_radii(const std::vector<std::vector<WeightedDistance>>& inequalities, std::vector<double> radii);
 
 // Returns, by joint, the vertices that it moves with this weight or more. If there are none, they are those that it moves more

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // These are the fields of every result and setting, in order, so that finished units can be kept and found again.
 //
-// A structured binding names all members or does not compile. Each list of names stands once, for the binding and for what is kept,
-// so none can be forgotten here.
+// A structured binding names all members or does not compile. Each list of names stands once, for the binding and for what is
+// kept, so none can be forgotten here.
 #pragma once
 
 #include <tuple>

@@ -46,8 +46,8 @@ class Units {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// Returns the result of make(), or of the run that made it before. options are the settings of the experiment. of identifies what else
-// the result is made of, such as a model (identify()) or another program; it may be empty.
+// Returns the result of make(), or of the run that made it before. options are the settings of the experiment. of identifies what
+// else the result is made of, such as a model (identify()) or another program; it may be empty.
 template <class Make, class Options>
 auto resumed_or(Units& run, const std::string& unit, const Options& options, const std::string& of, const Make& make) {
   using Result = decltype(make());

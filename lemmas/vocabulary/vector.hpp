@@ -32,9 +32,9 @@ S norm(const Vec<S, D>& a) {
   return root(squared_norm(a));
 }
 
-// Returns at least ||x|| and at most 16 % more, without a root, in float or double, if nothing underflows. It is 2 - sqrt 2 times the
-// greatest coordinate plus sqrt 2 - 1 times all of them. Both factors are greater by 4e-7 here, which is more than the roundings of float
-// take: those of a factor, of a product and of three sums, of 6e-8 each at most.
+// Returns at least ||x|| and at most 16 % more, without a root, in float or double, if nothing underflows. It is 2 - sqrt 2 times
+// the greatest coordinate plus sqrt 2 - 1 times all of them. Both factors are greater by 4e-7 here, which is more than the
+// roundings of float take: those of a factor, of a product and of three sums, of 6e-8 each at most.
 template <class S>
 S upper_norm(const Vec<S, 3>& x) {
   const S a = std::abs(x[0]), b = std::abs(x[1]), c = std::abs(x[2]);

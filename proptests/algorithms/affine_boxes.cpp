@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Linear skinning by affine joints in everything that is fast: vertices in packs, balls in batches, boxes from the joints, and
-// clusters; and cluster queries of deformed characters, whatever the skinning.
+// Tests linear skinning by affine joints in everything that is fast (vertices in packs, balls in batches, boxes from the joints,
+// and clusters), and cluster queries of deformed characters in every skinning.
 #include "algorithms/runtime/collide/affine_boxes.hpp"
 
 #include <memory>
@@ -39,7 +39,8 @@ RigidTransform<double> random_placement(std::mt19937& random, double size) {
   std::normal_distribution<double> normal;
   const double x = normal(random), y = normal(random), z = normal(random);
   RigidTransform<double> out{gen::random_rotation(random, 1), Point3(x, y, z) * size};
-  if (random() % 3 == 0) out.rotation *= 1 + 4.9e-7;  // which check_placement accepts
+  // check_placement accepts a quaternion of this length.
+  if (random() % 3 == 0) out.rotation *= 1 + 4.9e-7;
   return out;
 }
 
@@ -47,7 +48,7 @@ bool is_inside(const Box<double>& box, const Point3& p) {
   return (box.low.array() <= p.array()).all() && (p.array() <= box.high.array()).all();
 }
 
-// A wide mesh with affine joints, skinned in double.
+// Holds a wide mesh with affine joints, skinned in double.
 struct Affine {
   gen::WidePlan plan;
   SkinnedMesh mesh;
@@ -96,7 +97,7 @@ void check_batch() {
       for (const int v : c.vertices[n]) RC_ASSERT(exact.is_in(same, v));
     }
   }
-  // No looser than joints that all stretch as the one that stretches most, about the same centers.
+  // The ball is no looser than for joints that all stretch as the one that stretches most, about the same centers.
   double stretch = 0;
   for (const AffineMap<double>& map : a.pose) stretch = std::max(stretch, stretch_of(map));
   const TreeNode& root = c.tree.nodes[0];
@@ -107,7 +108,7 @@ void check_batch() {
   RC_ASSERT(double(batch.linear(a.palette)[0].radius) <= 1.001 * size + 1e-3 * all + 1e-17);
 }
 
-// A node about the origin, of one joint or of two, so wide that its radius is beyond the range of float, or nearly.
+// Checks a node about the origin, of one joint or of two, whose radius is beyond the range of float, or nearly.
 void check_wide_batch() {
   const double far = std::ldexp(*rc::gen::element(1., 1.5, 1.99), *rc::gen::inRange(125, 300));
   const bool has_two_sets = *rc::gen::arbitrary<bool>();
@@ -145,7 +146,7 @@ void check_motion_bound() {
   for (const Point3& v : a.skinned) RC_ASSERT(is_inside(box, apply(at, v)));
 }
 
-// A box is no larger than those around the images of the ball and of the box, by more than rounding.
+// Checks that a box is no larger than those around the images of the ball and of the box, by more than rounding.
 void check_image() {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   const SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 4, 4, 1, static_cast<unsigned>(random())});
@@ -192,8 +193,8 @@ bool has(const Box<float>& box, const Point3& p) {
   return true;
 }
 
-// The body's boxes have all vertices of its triangles, which are given in the world; the motion bound of a mesh that is not deformed in
-// the frame has those of no triangle, too.
+// Asserts that the body's boxes hold all vertices of its triangles, which are given in the world. So does the motion bound, which
+// also holds those of no triangle if the mesh is not deformed in the frame.
 void assert_held(ClusterBody& body, const std::vector<Point3>& skinned, bool is_of_mesh) {
   const ClusterTree& tree = body.tree();
   if (is_of_mesh)
@@ -212,7 +213,8 @@ void assert_held(ClusterBody& body, const std::vector<Point3>& skinned, bool is_
   }
 }
 
-// Joints that make a character too small for the digits of float. They neither turn nor shear, so that boxes are as tight as can be.
+// Checks joints that make a character too small for the digits of float. They neither turn nor shear, so that boxes are as tight
+// as can be.
 void check_tiny_boxes() {
   auto plan = *gen::mesh_plan();
   const SkinnedMesh mesh = gen::make_mesh(plan);
@@ -229,8 +231,8 @@ void check_tiny_boxes() {
   }
 }
 
-// Two bodies of one mesh: their boxes have the vertices, and their pairs are those of all pairs. Linear skinning has affine joints;
-// other skinning has scales. These and morph targets are of the frame, or of characters made anew.
+// Checks that the boxes of two bodies of one mesh hold the vertices, and that their pairs are those of all pairs. Linear skinning
+// has affine joints; other skinning has scales. These and morph targets belong to the frame, or to characters made anew.
 void check_clusters() {
   const auto plan = *gen::mesh_plan();
   std::mt19937 random(plan.seed);
@@ -258,8 +260,10 @@ void check_clusters() {
     trees.emplace_back(is_made_anew ? characters.back() : c, options);
     bodies.push_back(std::make_unique<ClusterBody>(trees.back(), skinning));
     ClusterBody& body = *bodies.back();
-    if (random() % 2) body.begin(reference_pose(mesh), {});  // a frame before, of rigid joints
-    if (!is_made_anew && random() % 2) {                     // and one of another deformation, whose balls are made
+    // The body is in a frame of rigid joints before.
+    if (random() % 2) body.begin(reference_pose(mesh), {});
+    // It is also in a frame of another deformation, whose balls are made.
+    if (!is_made_anew && random() % 2) {
       body.begin(gen::random_affine_pose(mesh, kind, random), {}, gen::random_weights(mesh, random));
       body.wide_node_box(0);
     }
@@ -296,7 +300,7 @@ void check_clusters() {
             oracle::all_pairs(mesh.triangles, skinned[0], mesh.triangles, skinned[1]));
 }
 
-// Vertices where the ball of a deformed body is attained, in placements that stretch it along an axis, or shrink it.
+// Checks vertices where the ball of a deformed body is attained, in placements that stretch it along an axis, or shrink it.
 void check_attained() {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   const gen::AttainedOptions options{.unit = *rc::gen::element(1.0, 1.0, 1e-12, 1e-30, 1e9, 1e30),
@@ -320,7 +324,7 @@ void check_attained() {
   assert_held(body, skinned, false);
 }
 
-// One triangle whose corners are all of the same joints, with equal weights.
+// Makes one triangle whose corners are all of the same joints, with equal weights.
 SkinnedMesh even_triangle(int joints, const Point3& a, const Point3& b, const Point3& c) {
   SkinnedMesh mesh;
   mesh.name = "even";
@@ -333,7 +337,7 @@ SkinnedMesh even_triangle(int joints, const Point3& a, const Point3& b, const Po
   return mesh;
 }
 
-// Joints cancel each other, so that the blend is much smaller than what skinning sums up.
+// Checks joints that cancel each other, so that the blend is much smaller than the terms that skinning adds up.
 void check_joints_that_cancel() {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   std::uniform_real_distribution<double> u(-1, 1);
@@ -358,13 +362,14 @@ void check_joints_that_cancel() {
   RC_CLASSIFY(far > 1e6, "far");
 }
 
-// The motion bound's boxes are of single joints, and vertices of many are off by as many roundings.
+// Checks that the motion bound's boxes of single joints hold vertices of many joints, which are off by as many roundings.
 void check_many_joints() {
   const int joints = 1 << *rc::gen::element(0, 6, 10, 11, 12);
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   const SkinnedMesh mesh = even_triangle(joints, Point3::Zero(), Point3::Zero(), Point3::UnitX() * 0x1p-40);
   const JointSets sets(mesh);
-  // Just below a power of two, so that each of the last sums rounds by nearly half a unit, all of them the same way.
+  // The offset is just below a power of two, so that each of the last sums rounds by nearly half a unit, all in the same
+  // direction.
   AffineMap<double> map = identity_map<double>();
   map.offset = Point3::Constant(2 - (joints / 2 + 1 + static_cast<double>(random() % 4)) * 0x1p-52);
   const AffinePose pose(static_cast<std::size_t>(joints), map);
@@ -373,7 +378,7 @@ void check_many_joints() {
     RC_ASSERT(is_inside(box, v));
 }
 
-// Coordinates near the end of float's range and beyond it.
+// Checks coordinates near the end of float's range and beyond it.
 void check_far_boxes() {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   std::uniform_real_distribution<double> exponent(34, 40), u(-1, 1);
@@ -407,7 +412,7 @@ void check_far_boxes() {
   RC_TAG("held");
 }
 
-// A frame that is refused leaves the one before as it was.
+// Checks that a frame that is refused leaves the one before as it was.
 void check_refused_frames() {
   const auto plan = *gen::mesh_plan();
   std::mt19937 random(plan.seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Algorithm 1 as printed: where it fails, and where it is right.
+// Tests where Algorithm 1 as printed fails, and where it is right.
 #include "algorithms/methods/refit/algorithm1_printed.hpp"
 
 #include <Eigen/Geometry>
@@ -38,7 +38,7 @@ struct Repaired {
   }
 };
 
-// The theorem that the repaired algorithm is tested with. Only a certain miss counts, not a ball that is undefined.
+// Checks the theorem that the repaired algorithm is tested with. Only a certain miss counts, not a ball that is undefined.
 template <Signs signs>
 void check_theorem(gen::Turns turns) {
   const RefitCase c = *gen::refit_case(turns);
@@ -51,7 +51,7 @@ void check_theorem(gen::Turns turns) {
 
 bool is_finite(const Ball3<double>& ball) { return ball.center.allFinite() && std::isfinite(ball.radius); }
 
-// The printed ball misses the vertex for sure, or in double is no ball; the repaired one encloses it.
+// Checks that the printed ball misses the vertex for sure, or in double is no ball, and that the repaired one encloses it.
 Checked replay(const counterexamples::PinnedRefit& pinned) {
   const Sample sample{0, pinned.weights, pinned.input.reference.center};
   const auto v = gen::skinned(pinned.input, sample, Blending::spherical);
@@ -66,8 +66,8 @@ Checked replay(const counterexamples::PinnedRefit& pinned) {
   return printed_fails && repaired.encloses(*v).verdict == Verdict::holds;
 }
 
-// Nodes of a single weight vertex in floating point: in exact arithmetic their quaternions' sphere has radius 0, and
-// line 13 takes the arccos of 1. The joints' rotations are products of five unit quaternions, as down a limb.
+// Counts balls of nodes of a single weight vertex in floating point. In exact arithmetic their quaternions' sphere has radius 0,
+// and line 13 takes the arccos of 1. The joints' rotations are products of five unit quaternions, as along a limb.
 struct OneWeightVertex {
   long balls = 0, not_a_number = 0, repaired_wrong = 0;
 };
@@ -112,8 +112,8 @@ Checked share_not_a_number(int joints, double at_least) {
   return Checked(share > at_least && n.repaired_wrong == 0, n.balls, text);
 }
 
-// Of any unit quaternion, by Eigen's conversion of its matrix. Where it is not clear which coordinate is the largest, or whether the
-// trace is positive, rounding decides.
+// Checks any unit quaternion against Eigen's conversion of its matrix. Rounding decides where it is not clear which coordinate is
+// the largest, or whether the trace is positive.
 void check_conversion() {
   Quaternion<double> q;
   do

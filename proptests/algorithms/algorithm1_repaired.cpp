@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The theorem: the repaired Algorithm 1 encloses every vertex of S with admissible weights.
+// Tests the theorem that the repaired Algorithm 1 encloses every vertex of S with admissible weights.
 #include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 
 #include "proptests/gen/skinned_samples.hpp"
@@ -14,7 +14,7 @@ using gen::Blending;
 using gen::RefitCase;
 using gen::Sample;
 
-// A policy that shows that no choice of a center is unsound: the first of the points.
+// This policy takes the first of the points as the center, which shows that no choice of a center is unsound.
 struct FirstPoints {
   template <class S, int D>
   static Vec<S, D> center_of_points(std::span<const Vec<S, D>> points) {
@@ -63,13 +63,13 @@ void check_theorem(oracle::Gather gather) {
   RC_CLASSIFY(tally.share(oracle::RungTally::none) == 0, "decided exactly");
 }
 
-// How far the ball of double misses the exactly skinned vertices of the same doubles, relative to the coordinates.
+// Says how far the ball of double misses the exactly skinned vertices of the same doubles, relative to the coordinates.
 struct Misses {
   long vertices = 0, missed = 0;
   double worst = 0;
 };
 
-// Some weight vertex's blend all but vanishes: rounding then turns it, and a last example is about that.
+// Says whether some weight vertex's blend all but vanishes. Rounding then turns it, which the last example is about.
 bool has_short_blend(const RefitCase& c) {
   for (const auto& set : c.sets)
     for (const auto& weight_vertex : set.weights.vertices)
@@ -104,8 +104,9 @@ void check_double(Misses& misses) {
   RC_CLASSIFY(missed, "missed by rounding");
 }
 
-// One weight vertex whose blend all but vanishes, so that its direction in double is mostly rounding: three quaternions
-// at 120 degrees, with weights off the third by some 2^-24. The length of the blend, and the miss relative to ||p||.
+// Returns the length of one weight vertex's blend, and the miss relative to ||p||. The blend all but vanishes, so that its
+// direction in double is mostly rounding: its three quaternions are 120 degrees apart, and the weights are off a third by some
+// 2^-24.
 std::pair<double, double> miss_of_short_blend(int off) {
   const double unit = std::ldexp(1, -24), third = 5592405 * unit;
   const std::vector<double> w{third + off * unit, third - off * unit, 1 - 2 * third};

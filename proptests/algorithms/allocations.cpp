@@ -35,8 +35,9 @@ std::vector<TrianglePair> sorted_pairs(ClusterBody& a, ClusterBody& b) {
   return found;
 }
 
-// Two bodies that overlap, and queries of which one allocation fails. Returns how many queries failed; -1 if one of them, asked again in the
-// same frame, did not find the pairs that it should. skins_rather: whether clusters are skinned where wide nodes are bounded.
+// Returns how many queries of two bodies that overlap fail if one allocation fails in each, or -1 if one of them, asked again in
+// the same frame, does not find the pairs that it should. skins_rather says whether clusters are skinned where wide nodes are
+// bounded.
 long failed_queries(const ClusterTree& tree, Skinning skinning, const Pose& pose, bool skins_rather) {
   const RigidTransform<double> beside{identity_quaternion<double>(), {0.125, 0.0625, 0.03125}};
   std::vector<TrianglePair> expected;
@@ -59,7 +60,7 @@ long failed_queries(const ClusterTree& tree, Skinning skinning, const Pose& pose
   }
 }
 
-// A flat sheet of squares: floats and packs of doubles leave most pairs of two such sheets in one plane to the exact test.
+// Makes a flat sheet of squares. Floats and packs of doubles leave most pairs of two such sheets in one plane to the exact test.
 SkinnedMesh sheet(int squares) {
   SkinnedMesh mesh;
   mesh.name = "sheet";
@@ -80,7 +81,7 @@ SkinnedMesh sheet(int squares) {
   return mesh;
 }
 
-// After a query that runs out of memory at any allocation, the body is asked in another frame, against another body.
+// Checks that a body whose query ran out of memory at any allocation answers in another frame, against another body.
 Checked check_next_frame() {
   const Character large = bake(sheet(3)), small = bake(sheet(1));
   const ClusterTree of_large(large, {.most_triangles = 8, .most_children = 4}), of_small(small);
@@ -109,7 +110,7 @@ Checked check_next_frame() {
   return Checked(failed > 3 * 70, failed);
 }
 
-// A frame of rigid or affine joints, which are this high, with a morph target or without.
+// Begins a frame of rigid or affine joints, which are this high, with a morph target or without.
 struct Frame {
   bool is_affine, has_weight;
   double height;
@@ -124,7 +125,8 @@ struct Frame {
   }
 };
 
-// A body whose next frame cannot begin for want of memory is in none, or still in the one before; and the next one may begin then.
+// Checks that a body whose next frame cannot begin for want of memory is in none, or still in the one before, and that the next
+// one may begin then.
 Checked check_frames_that_fail() {
   const Character c = bake(sheet(3));
   const ClusterTree tree(c, {.most_triangles = 2, .most_children = 2});
@@ -162,7 +164,8 @@ Checked check_frames_that_fail() {
   return Checked(failed > 200 && in_none > 0, failed, std::to_string(in_none) + " in no frame");
 }
 
-// The same of a body by sphere trees: it is in no frame, or its balls and triangles are those of the frame before.
+// Checks that a body by sphere trees whose next frame cannot begin is in no frame, or has the balls and triangles of the frame
+// before.
 Checked check_bodies_that_fail() {
   const Character c = bake(sheet(3));
   long failed = 0, in_none = 0;
@@ -228,7 +231,7 @@ PROPTEST(allocations) {
     struct alignas(64) Wide {
       char of[64];
     };
-    [[maybe_unused]] const void* volatile kept;  // no compiler may do without what is written here
+    [[maybe_unused]] const void* volatile kept;  // No compiler may do without what is written here.
     const auto made = [&](const auto& list) { kept = list.data(); };
     const long list = allocations_in([&] { made(std::vector<int>(100)); }),
                wide = allocations_in([&] { made(std::vector<Wide>(3)); }), none = allocations_in([] {});
@@ -246,14 +249,15 @@ PROPTEST(allocations) {
           PairMemory memory;
           QueryCounts counts;
           const RigidTransform<double> at{identity_quaternion<double>(), {distance, 0, 0}};
-          for (int frame = 0; frame < 2 * frames; ++frame) {  // twice around: the first time may make room
+          // The frames are gone through twice, because the first time may make room.
+          for (int frame = 0; frame < 2 * frames; ++frame) {
             const Pose first = step(man, frame, 0.2), second = step(man, frame, 0.7);
             std::size_t found = 0;
             const long allocations = allocations_in([&] {
               a.begin(first, {}), b.begin(second, at);
               found = collide(a, b, query, counts, has_memory ? &memory : nullptr).size();
             });
-            // A list that doubles as it grows.
+            // The answer is a list that doubles as it grows.
             const long for_answer = query == Query::full ? static_cast<long>(std::bit_width(2 * found)) : 10;
             if (frame >= frames) ok = ok && allocations <= (found > 0 ? for_answer : 0), ++asked, pairs_found += found;
           }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The joints of a model in an animation.
+// Tests the joints of a model in an animation.
 #include "algorithms/bake/over_time/animated_joints.hpp"
 
 #include <cmath>
@@ -17,7 +17,7 @@ using M = MultiprecisionInterval;
 
 Channel<Eigen::Vector3d> still(double x) { return {{{0, Eigen::Vector3d::Constant(x)}}}; }
 
-// One node that steps along x.
+// Makes one node that steps along x.
 Model stepping(double duration, const std::vector<std::pair<double, double>>& steps) {
   Model model;
   model.name = model.skeleton.file = "stepping";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds of any pose: whatever turns joints by whatever quaternions, vertices stay within the radius.
+// Tests bounds of any pose: whatever quaternions turn the joints, vertices stay within the radius.
 #include "algorithms/bake/over_time/any_pose.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ Eigen::Quaterniond drawn_rotation() {
   return Eigen::Quaterniond(Eigen::Vector4d(q.normalized()));
 }
 
-// The clip with every animated node turned somehow, for all time; translations and scales as at the time.
+// Returns the clip with every animated node turned in a random way for all its time. Translations and scales stay as they are.
 Animation turned_anyhow(const Animation& clip) {
   Animation out = clip;
   for (NodeTrack& track : out.tracks) track.rotations = {{{0, drawn_rotation()}}, Interpolation::linear, {}};
@@ -60,8 +60,8 @@ int root_above(const Model& model, int joint) {
   return node;
 }
 
-// Whether there is a ball for any pose of all vertices: the joints are of one tree, and vertices that are not blended linearly have two of
-// them at most.
+// Says whether there is a ball for any pose of all vertices: the joints are of one tree, and vertices that are not blended
+// linearly have at most two of them.
 bool has_ball(const Model& model, Skinning skinning) {
   const int root = root_above(model, model.influences[0][0].joint);
   for (const std::vector<Influence>& influences : model.influences) {
@@ -93,7 +93,7 @@ void check_turned_vertices(const Model& model, Skinning skinning, const AnyPoseB
   const int part = std::clamp(
       static_cast<int>(std::upper_bound(joints.times().begin(), joints.times().end(), time) - joints.times().begin()) - 1, 0,
       joints.part_count() - 1);
-  // Both are placed in double. That skin matrices are no rotations is the bound's matter.
+  // Both are placed in double. The bound deals with skin matrices that are no rotations.
   JointCell cell = joints.cell(part, joints.times()[part], joints.times()[part + 1]);
   cell.defect = 0;
   const double error = 2 * vertices.placing_error(cell) + 1e-12 * (center.norm() + bound.radius);
@@ -134,7 +134,7 @@ void vertices_stay_within_the_radius(Suite& t) {
             });
 }
 
-// A joint whose weight is rounded to 0 may carry a vertex just as far as another.
+// Checks that a joint whose weight is rounded to 0 may carry a vertex just as far as another.
 void check_lost_influences() {
   const gen::AnimatedPlan plan = gen::draw_animated_plan(true);
   Model whole = gen::animated_model(plan);
@@ -162,7 +162,7 @@ void check_lost_influences() {
   }
 }
 
-// Three joints of which two come to lie on opposite sides.
+// Checks three joints of which two come to lie on opposite sides.
 Checked check_opposite_joints() {
   const Point3 places[] = {{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}};
   std::vector<SceneNode> nodes;
@@ -180,7 +180,7 @@ Checked check_opposite_joints() {
   return Checked(true, 6);
 }
 
-// A node at a place, with a joint that has the vertices there in the reference pose.
+// Makes a node at a place, with a joint that has the vertices there in the reference pose.
 Model thing_at(const Eigen::Matrix4d& local, const Eigen::Matrix4d& offset, std::vector<Point3> vertices) {
   Model model;
   model.name = model.skeleton.file = "thing";
@@ -194,7 +194,7 @@ Model thing_at(const Eigen::Matrix4d& local, const Eigen::Matrix4d& offset, std:
   return model;
 }
 
-// A vertex at its joint that morph targets take away along one line, all of them the same way. Clips have other weights.
+// Checks a vertex at its joint that morph targets move along one line, all in the same direction. Clips have other weights.
 Checked check_rounding_of_displacements() {
   long tried = 0;
   for (const std::vector<double>& weights : {std::vector<double>{1}, {-1, 2}, {0.5, 0, -3}})
@@ -225,7 +225,7 @@ Checked check_rounding_of_displacements() {
   return Checked(true, tried);
 }
 
-// Links in a row, of any lengths and scales, and a vertex at the tip that the root's joint moves, too.
+// Checks links in a row, of any lengths and scales, and a vertex at the tip that the root's joint moves, too.
 Checked check_stretched_arms() {
   std::mt19937 random(7);
   const auto pick = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
@@ -340,7 +340,8 @@ PROPTEST(any_pose) {
   t.example("a stretched arm reaches the radius, exactly but for rounding, and does not reach beyond it",
             {.number_type = "rational"}, check_stretched_arms);
   t.example("a stretched arm reaches the radius, and joints of two trees have no node above them", {}, [] {
-    // Two links of lengths 2 and 3, scaled by 2 and 1, and a vertex 1 below the last: 2 (3 + 1 * 1) = 8 from the first joint.
+    // The arm has two links of lengths 2 and 3, scaled by 2 and 1, and a vertex 1 below the last: it is 2 (3 + 1 * 1) = 8 from
+    // the first joint.
     Model model;
     const auto local = [](double x, double scale) {
       Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
@@ -360,7 +361,8 @@ PROPTEST(any_pose) {
     model.influences[0] = {{0, 0.5}, {1, 0.5}};
     model.vertices[0] = {9, 0, 0};
     const AnyPoseBound both = bound_any_pose(model, JointSets(model), vertices, Skinning::linear).value();
-    good = good && both.node == 0 && std::abs(both.radius - 18) < 1e-7;  // by the joint a: 2 * 9
+    // The joint a has the radius 2 * 9.
+    good = good && both.node == 0 && std::abs(both.radius - 18) < 1e-7;
     model.skeleton.nodes[1].parent = -1;
     good = good && !bound_any_pose(model, JointSets(model), vertices, Skinning::linear);
     return Checked(good, 3);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The chunk that a baked file has, written and read again. What is refused of damaged files is tested in program.cpp.
+// Tests that the chunk of a baked file is the same once it is written and read again. program.cpp tests what is refused of
+// damaged files.
 #include "algorithms/runtime/tree/baked_file.hpp"
 
 #include <stdexcept>

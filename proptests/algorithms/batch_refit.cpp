@@ -23,7 +23,7 @@ namespace {
 
 using namespace refitlab;
 
-// defect: of the squared lengths of some quaternions, the others having none.
+// Returns a random pose. The squared lengths of some quaternions have the defect, the others none.
 Pose random_pose(const SkinnedMesh& model, unsigned seed, double calm, double defect) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
@@ -36,8 +36,8 @@ Pose random_pose(const SkinnedMesh& model, unsigned seed, double calm, double de
   return pose;
 }
 
-// Of vectors of unit length, that their greatest angle to their mean is within float's rounding of what makes the cap of
-// their rotations' images a half-sphere, or their own.
+// Says whether rounding in float may decide if the cap of the rotations' images, about the mean of these unit vectors, is a
+// half-sphere, or whether their sum nearly vanishes.
 bool is_near_a_right_angle(const std::vector<Quaternion<double>>& unit) {
   Quaternion<double> sum = Quaternion<double>::Zero();
   for (const auto& q : unit) sum += q;
@@ -46,21 +46,22 @@ bool is_near_a_right_angle(const std::vector<Quaternion<double>>& unit) {
   return !(std::abs(8 * far * (1 - far) - 1) > 1e-3) || !(sum.norm() > 1e-3);
 }
 
-// By the last bit; most are far from the edge.
+// Decides exactly, after a quick test, since most vertices are far from the surface.
 bool exact_encloses(const Ball3<double>& ball, const Point3& v) {
   if (norm<double, 3>(v - ball.center) * (1 + 1e-14) + 1e-150 < ball.radius) return true;
   return !std::isfinite(ball.radius) ||
          encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(v)) == Verdict::holds;
 }
 
-// Certainly so: near a right angle, and near a half-sphere of quaternions, float may know it otherwise.
+// Says whether the bound of the node is certainly all rotations. Near a right angle, and near a half-sphere of quaternions, float
+// may decide otherwise.
 bool is_any_rotation(const RefitNode<double>& node, const NodePiece& set) {
   std::vector<Quaternion<double>> unit;
   return set.weight_vertex_count > 1 && bound_joint_set_rotations<MeanBalls>(node, set, unit).center_ratio == 0 &&
          !is_near_a_right_angle(unit);
 }
 
-// What rounding may do to a node's ball, by the formulas of refit_kernel.hpp.
+// Returns what rounding may do to a node's ball, by the formulas of refit_kernel.hpp.
 double slack_of(const SphereTree& tree, const RefitNode<double>& node, Skinning skinning) {
   constexpr double epsilon = std::numeric_limits<float>::epsilon();
   double slack = 0, largest = 0;
@@ -79,7 +80,8 @@ double slack_of(const SphereTree& tree, const RefitNode<double>& node, Skinning 
     }
     size = 0;
     for (const auto& image : palette.center_images) size = std::max(size, image.norm());
-    if (!is_any_rotation(node, set))  // of which none would be off
+    // No vertex would be outside of such a ball.
+    if (!is_any_rotation(node, set))
       for (int k = 0; k < set.weight_vertex_count; ++k)
         shortest = std::min(shortest, norm(blend_quaternion<double>(palette, node.weight_vertex(set, k))));
     const double x = (node.reference.center - palette.rotation_center).lpNorm<1>();
@@ -88,8 +90,8 @@ double slack_of(const SphereTree& tree, const RefitNode<double>& node, Skinning 
   return 1.01 * slack;
 }
 
-// Nothing if the balls of a model that may be at any end of what is accepted hold all vertices, skinned exactly and in
-// double; by the last bit.
+// Returns what is wrong unless the balls of a model, which may be at any end of what is accepted, hold all vertices, skinned
+// exactly and in double. The comparison is exact.
 std::string what_is_missed(const gen::WideModel& wide) {
   const SkinnedMesh& model = wide.mesh;
   const JointSets sets(model);
@@ -98,7 +100,7 @@ std::string what_is_missed(const gen::WideModel& wide) {
   for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::hejl}) {
     const auto palette = make_skinning_palette(model, sets, wide.pose, skinning);
     const auto deformed = skin(model, sets, palette, skinning);
-    double largest = wide.largest_length;  // rotation centers of nearly parallel joints are far away
+    double largest = wide.largest_length;  // Rotation centers of nearly parallel joints are far away.
     for (int s = 0; s < sets.count(); ++s) {
       largest = std::max(largest, palette[s].rotation_center.stableNorm());
       for (const Point3& image : palette[s].center_images) largest = std::max(largest, image.stableNorm());
@@ -123,15 +125,15 @@ std::string what_is_missed(const gen::WideModel& wide) {
             skinning == Skinning::linear ? batch.linear(palette, target) : batch.spherical(palette, target);
         if (const auto wrong = complaint(name_of(target), [&](int n) { return balls[n]; }); !wrong.empty()) return wrong;
       }
-    } catch (const std::range_error& e) {  // only for what is too large
+    } catch (const std::range_error& e) {  // This is thrown only for lengths that are too large.
       if (largest < 0x1p54) return e.what();
     }
   }
   return "";
 }
 
-// Joints of which one turns the other way than the rest: of the weight vertices many are one way and few the other, so
-// that these are on the far side of the sphere from the mean.
+// Makes a mesh and a pose in which one joint turns the opposite way to the rest. Of the weight vertices many are on one side and
+// few on the other, so that these few are on the far side of the sphere from the mean.
 std::pair<SkinnedMesh, Pose> lopsided(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   SkinnedMesh model;
@@ -154,13 +156,14 @@ std::pair<SkinnedMesh, Pose> lopsided(std::mt19937& random) {
   return {std::move(model), std::move(pose)};
 }
 
-// An octahedron about the origin, all of whose vertices are as far out as its ball is wide, between joints that turn it
-// alike, by a half-turn about an axis, and move its parts a little way to both sides: so much and no less is the least ball.
+// Makes an octahedron about the origin, all of whose vertices are at the distance of its ball's radius. Its joints turn it alike,
+// by a half-turn about an axis, and move its parts a little way to both sides, so that the bound is the least ball.
 gen::WideModel where_the_bound_is_attained(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(0.98, 1.02);
   const int joints = 1 + static_cast<int>(random() % 3), axis = static_cast<int>(random() % 3);
   const double r = uniform(random), way = std::ldexp(uniform(random), -static_cast<int>(random() % 12) - 1);
-  const bool are_shared = joints > 1 && random() % 2;  // then it is a joint-set whose joints may be of unlike lengths
+  // If they are shared, they make a joint-set whose joints may have different lengths.
+  const bool are_shared = joints > 1 && random() % 2;
   constexpr double little = 0x1p-12;
   gen::WideModel out;
   out.mesh.name = "octahedron";
@@ -168,7 +171,7 @@ gen::WideModel where_the_bound_is_attained(std::mt19937& random) {
   for (int i = 0; i < 3; ++i)
     for (const int side : {1, -1}) {
       out.mesh.vertices.push_back(Point3::Unit(i) * (side * r));
-      // The turned vertex goes on outwards.
+      // The turned vertex moves on outwards.
       const bool is_last = i == axis && side == 1;
       if (are_shared)
         out.mesh.influences.push_back({{0, is_last ? little : 1 - little}, {joints - 1, is_last ? 1 - little : little}});
@@ -186,13 +189,13 @@ gen::WideModel where_the_bound_is_attained(std::mt19937& random) {
   return out;
 }
 
-// A node of one joint-set whose rotations are not all.
+// Says whether a node has one joint-set whose rotations are not all rotations.
 bool is_bounded(const RefitNode<double>& node) {
   std::vector<Quaternion<double>> scratch;
   return node.pieces.size() == 1 && bound_joint_set_rotations<MeanBalls>(node, node.pieces[0], scratch).center_ratio > 0;
 }
 
-// Nothing if all is well.
+// Returns what is wrong, or nothing.
 std::string what_is_wrong(const SkinnedMesh& model, const Pose& pose, Skinning skinning) {
   const JointSets sets(model);
   const SphereTree tree = build_sphere_tree(model, sets);
@@ -219,7 +222,7 @@ std::string what_is_wrong(const SkinnedMesh& model, const Pose& pose, Skinning s
       const std::string which = "node " + std::to_string(n) + " by " + how;
       int weight_vertices = 0;
       for (const NodePiece& set : node.pieces) weight_vertices += set.weight_vertex_count;
-      // The center is a mean, so many terms of which may be off by more: a ball is measured from whatever came out.
+      // The center is a mean of many terms, which may be off by more. So a ball is measured from the center that was computed.
       if (!(off <= slack * (1 + weight_vertices / 64.)))
         return which + ": center off by " + std::to_string(off / slack) + " slacks";
       if (!(radius >= expected.radius - off)) return which + ": smaller than in double";
@@ -355,7 +358,7 @@ void many_joints_and_great_lengths(Suite& t) {
                 refused += share > 1;
               }
           }
-        // The length itself, without a refit's rounding.
+        // This is the length itself, without a refit's rounding.
         if (checked_single(largest_single_length) != largest_single_length) return Checked(false, taken, "the greatest length");
         return Checked(taken == 4 && refused == 4, taken + refused);
       });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blending one vertex, against matrices.
+// Tests the blending of one vertex against matrices.
 #include "algorithms/runtime/skinning/blend.hpp"
 
 #include "lemmas/exact/lift.hpp"
@@ -21,11 +21,12 @@ struct Blend {
   bool vanishes() const { return squared_norm(blend_quaternion<Rational>(palette, weights)) == 0; }
 };
 
-// A joint-set of 1 to 5 joints in one pose with any signs, a rotation center, weights and a vertex.
+// Draws a joint-set of 1 to 5 joints in one pose with any signs, a rotation center, weights and a vertex.
 Blend draw() {
   Blend b;
   b.palette.transforms = *gen::rigid_transforms(1, 5);
-  if (b.palette.transforms.size() > 1 && *rc::gen::inRange(0, 6) == 0)  // the same rotation, of the other sign
+  // Two joints have the same rotation, of opposite signs.
+  if (b.palette.transforms.size() > 1 && *rc::gen::inRange(0, 6) == 0)
     b.palette.transforms[1].rotation = -b.palette.transforms[0].rotation;
   const RationalVec<3> center = *gen::rational_vector<3>();
   place_rotation_center<Rational>(b.palette, center);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for a certificate's bound, on balls that hold and on balls that do not: something is found for the least ball
-// that the bounds to be tried prove, computed anew, and nothing for a smaller one.
+// Tests the search for a certificate's bound, on balls that hold and on balls that do not. It must find one for the least ball
+// that the bounds to be tried prove, computed anew, and none for a smaller ball.
 #include "algorithms/certificate/bound.hpp"
 
 #include <cmath>
@@ -26,14 +26,14 @@ oracle::BlendsAtWeightVertices weight_vertices_of(const SkinnedPiece& piece) {
   return oracle::blend_at_weight_vertices(piece.palette, piece.weight_vertices, piece.reference.center, piece.skinning);
 }
 
-// The least radius about the center that is found a bound.
+// Returns the least radius about the center for which a bound is found.
 double least_radius(const SkinnedPiece& piece, const Vec<double, 3>& center) {
   if (piece.skinning == Skinning::linear)
     return oracle::needed_radius_linear(piece.palette, piece.weight_vertices, piece.reference, center);
   return piece.reference.radius + oracle::least_found_radius(weight_vertices_of(piece), center, halvings);
 }
 
-// Whether the bound proves the ball, by the twin.
+// Says whether the bound proves the ball, by the oracle's own computation.
 bool proves(const SkinnedPiece& piece, const Bound& bound, const Ball3<double>& ball, double margin) {
   if (piece.skinning == Skinning::linear)
     return bound.by == By::control && least_radius(piece, ball.center) <= ball.radius + margin;
@@ -54,7 +54,7 @@ const char* name_of(By by) {
   }
 }
 
-// A center among the images, or far from them: then any image may be the farthest.
+// Returns the least ball about a center among the images, or far from them, where any image may be the farthest.
 Ball3<double> ball_to_try(const SkinnedPiece& piece, std::mt19937& random) {
   Ball3<double> out{{0, 0, 0}, 0};
   const double far = std::array{0., 0.1, 1., 30.}[std::uniform_int_distribution<int>(0, 3)(random)];
@@ -70,14 +70,15 @@ void check_least_radius(Skinning skinning, int most_weight_vertices) {
   const SkinnedPiece piece(random, skinning, most_weight_vertices);
   Ball3<double> ball = ball_to_try(piece, random);
   RC_CLASSIFY(piece.weight_vertices.size() == 1, "degenerate");
-  if (piece.has_relation) {  // which of equally wide edges is halved is not said
+  if (piece.has_relation) {  // It is not specified which of several equally wide edges is halved.
     RC_TAG("exact relation");
     for (const double radius : {0.5, 1., 2., 4., 8., 1e9})
       if (const auto bound = found(piece, {ball.center, radius}))
         RC_ASSERT(proves(piece, *bound, {ball.center, radius}, 1e-9 * radius));
     return;
   }
-  if (!(ball.radius < 1e4)) {  // some blend is 0, or so near to it that double does not tell
+  // Some blend is 0, or so near to 0 that double cannot tell.
+  if (!(ball.radius < 1e4)) {
     if (ball.radius == infinity) {
       RC_TAG("no bound");
       RC_ASSERT(!found(piece, {ball.center, 1e9}));
@@ -94,7 +95,7 @@ void check_least_radius(Skinning skinning, int most_weight_vertices) {
   RC_ASSERT(!found(piece, {ball.center, share * (ball.radius - margin)}));
 }
 
-// Hints are those of the refits: what they prove at once is not left to control points, nor to halves.
+// Checks that hints are those of the refits: what they prove at once is not left to control points, nor to halves.
 void check_first_tried(Skinning skinning) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   const SkinnedPiece piece(random, skinning, 5);
@@ -108,7 +109,7 @@ void check_first_tried(Skinning skinning) {
   }
 }
 
-// --- Where the least radius is a double: found exactly there, and not one ulp below ---
+// --- The least radius is a double: it is found exactly, and no bound is found one ulp below ---
 
 OwnedPaletteEntry<double> palette_of(std::vector<Quaternion<double>> rotations) {
   OwnedPaletteEntry<double> out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The budgets of rounding in float of the batch refit and of the motion bound, and of the boxes in float that collisions
-// compare: as float_budgets.cpp, for kernels whose steps are repeated here with the templates that they call.
+// Tests the budgets of rounding in float of the batch refit, of the motion bound, and of the boxes in float that collisions
+// compare. It works as float_budgets.cpp does, for kernels whose steps are repeated here with the templates that they call.
 #include <random>
 
 #include "algorithms/runtime/batch/batch_refit.hpp"
@@ -29,10 +29,10 @@ using oracle::of_length;
 using oracle::rounded_scales;
 using oracle::whole;
 constexpr double u = Budget::u;
-// In place of 0, with which sums would be exact.
+// This stands in place of 0, with which sums would be exact.
 constexpr double tiny = 1e-30;
 
-// A vector that is rounded to float.
+// Returns a vector that is rounded to float.
 template <int D>
 Vec<Budget, D> rounded_input(double length) {
   return of_length<0, D>(length, u * length);
@@ -40,20 +40,21 @@ Vec<Budget, D> rounded_input(double length) {
 
 // --- The refit ---
 
-// Vectors are rounded.
+// Returns the error of a blend of vectors that are rounded.
 template <int D>
 double error_of_blend(int joints) {
   return oracle::error_of_blend<D>(joints, u);
 }
 
-// What Algorithm 1 may lose per ||x|| and kappa = 1 / min ||q'_k||.
+// Returns what Algorithm 1 may lose per ||x|| and kappa = 1 / min ||q'_k||.
 double error_of_cap(int joints, double kappa) {
   // p, r_c and their difference are rounded: 2 u ||x|| + 2 u ||r_c||. The centers are measured from the ball's center less the
   // offset, which is at most 2 ||x|| and the center images.
   return (oracle::error_of_cap(error_of_blend<4>(joints) * kappa + oracle::error_of_unit(), 2 * u) + 2) / kappa;
 }
 
-// Of r, which joints stretch to s r: the product, sums with the slack and a distance, and that with r.
+// Returns the error of r, which joints stretch to s r: of the product, of the sums with the slack and with a distance, and of the
+// sum with r.
 double error_of_added_stretch(double added) {
   const Budget product = Budget(added) * Budget(1, 0, tiny);
   return (product + Budget(tiny) + Budget(tiny) + Budget(1)).in_u();
@@ -70,25 +71,26 @@ Checked check_refit() {
   budgets.add("1 joint, per |x|", whole(rotate<Budget>(rounded_input<4>(1), of_length<0, 3>(1, 2 * u))).in_u() + 2,
               algorithm1_slack(1) / u);
   for (const int n : {1, 2, 3, 4, 8, 64}) {
-    // Of size = max ||r|| + 2 ||r_c||: the blended center images and the ball's center less the offset; r_c has 2 in x, and so in
-    // the offset and in the radius.
+    // The unit is the size max ||r|| + 2 ||r_c||. The blended center images and the ball's center less the offset add to the
+    // error; r_c has 2 in x, and so in the offset and in the radius.
     budgets.add(std::to_string(n) + " joints, per size", std::max(error_of_blend<3>(n) + 2, 2.0 * 2), algorithm1_slack(n) / u);
-    // Linear: the rows are rounded, which is sqrt 3 ||p|| of the image, and so is a row's dot product, of three roundings each.
+    // In linear blending the rows are rounded, which is sqrt 3 ||p|| of the image, and so is a row's dot product, of three
+    // roundings each.
     const Vec<Budget, 3> p = rounded_input<3>(1), row = rounded_input<3>(1);
     const double image = std::sqrt(3.0) * (dot(row, p) + Budget(tiny, 0, 0)).in_u();
     const double translation = 1 + (Budget(tiny, 0, 0) + Budget(1, 0, 0)).in_u();
-    // Blends, and the ball's center less that.
+    // This is the error of the blends, and of the ball's center less that.
     const double more = error_of_blend<3>(n) - 1 + 1;
     budgets.add(std::to_string(n) + " joints, linear, per |p|", image + more, linear_refit_slack(n) / u);
     budgets.add(std::to_string(n) + " joints, linear, per |t|", translation + more, linear_refit_slack(n) / u);
-    // Of affine joints rows have other lengths, whose squares add up to those of F.
+    // The rows of affine joints have other lengths, whose squares add up to F^2.
     budgets.add(std::to_string(n) + " joints, affine, per F |p|", image / std::sqrt(3.0) + more, linear_refit_slack(n) / u);
   }
   for (const double s : {0.0, 0.01, 0.5, 1.0, 1.5, 4.0, 1000.0}) {
     const double added = added_stretch(s);
     budgets.add("stretched by " + std::to_string(s), error_of_added_stretch(std::abs(added)), (added - (s - 1)) / u);
   }
-  // A distance and sums of radii, which are relative to the radius.
+  // The errors of a distance and of sums of radii are relative to the radius.
   const Vec<Budget, 3> difference = of_length<0, 3>(1, u);
   const Budget squared = squared_norm(difference), far = root(Budget(1, squared.error, 1));
   const Budget whole_radius = (far + Budget(tiny, 0, tiny) + Budget(tiny, 0, tiny)) * Budget(1 + 2 * u);
@@ -101,7 +103,7 @@ Checked check_refit() {
 // Each quaternion whose squared length is off by 1e-6 turns with an error of 2e-6.
 constexpr double stretch = 2e-6 / u;
 
-// An image under a joint that the placement has turned, per ||f|| and per ||t||.
+// Returns the error of an image under a joint that the placement has turned, per ||f|| and per ||t||.
 template <class Image>
 double error_of_image(double f, double t, const Image& image) {
   const RigidTransform<Budget> placement{rounded_input<4>(1), of_length<0, 3>(0)},
@@ -109,8 +111,8 @@ double error_of_image(double f, double t, const Image& image) {
   return image(compose(placement, joint), rounded_input<3>(f)) + 3 * stretch;
 }
 double image_by_quaternion(const RigidTransform<Budget>& joint, const Vec<Budget, 3>& f) { return whole(apply(joint, f)).in_u(); }
-// An error of the quaternion has the same effect. A row has three entries, each with an error of its own, and a length of 1;
-// so have the images' coordinates.
+// Returns the same for images by matrices. A row has three entries, each with an error of its own, and a length of 1; so have the
+// images' coordinates. An error of the quaternion has the same effect.
 double image_by_matrix(const RigidTransform<Budget>& joint, const Vec<Budget, 3>& f) {
   const Budget q = whole(joint.rotation), v = whole(f);
   const double of_quaternion = 2 * (2 * q.error + q.error * q.error) * (v.most + v.error);
@@ -133,7 +135,7 @@ Checked check_motion_bound() {
         const double e = error_of_image(f, t, is_matrix ? image_by_matrix : image_by_quaternion);
         char name[80];
         std::snprintf(name, sizeof name, "%d joints%s, per %s", n, is_matrix ? " by matrices" : "", what);
-        // The box grows by a radius, with a rounding each.
+        // The box grows by a radius, with one rounding on each side.
         budgets.add(name, all * (e + 2), lost_of_motion_bound * n / u);
       };
       add("|f|", 1, tiny), add("|t|", tiny, 1);
@@ -143,7 +145,7 @@ Checked check_motion_bound() {
   const double of_half = image_by_matrix({turned, of_length<0, 3>(tiny)}, rounded_input<3>(1));
   budgets.add("per radius", 3 * stretch + 3, lost_of_motion_bound / u);
   budgets.add("per half diagonal", of_half + 3 * stretch + 3, lost_of_motion_bound / u);
-  // Of a dot product of two joints' quaternions, whose squared lengths are off by 2e-6 with the placement's.
+  // This is the error of a dot product of two joints' quaternions, whose squared lengths are off by 2e-6 with the placement's.
   budgets.add("cosine", dot(turned, turned).in_u() + stretch, baseline::positive / u);
   // The share of A that is added for errors also has to hold those of A, of the share and of their product, relative to
   // themselves: n sum ||y_k||^2 is at most n A^2.
@@ -156,7 +158,7 @@ Checked check_motion_bound() {
   }
   const Budget spread = squared_spread_of_sums(Budget(n), squares, sum);
   budgets.add("A", share * (spread.in_u() + 8), error_share(0) / u);
-  // What is found of | ||q||^2 - 1 |, next to 1e-6.
+  // This is the error of what is computed of | ||q||^2 - 1 |, beside 1e-6.
   const double of_square = squared_norm(rounded_input<4>(1)).in_u();
   budgets.add("surely rigid", of_square, (1e-6 - surely_rigid) / u);
   budgets.add("surely not rigid", of_square, (surely_not_rigid - 1e-6) / u);
@@ -167,15 +169,16 @@ Checked check_motion_bound() {
 
 Budget scalar(double most, double error = 0) { return {most, error, 0}; }
 
-// A box of a cluster or of a node, of coordinates up to this, converted to float or not, grown by so much.
+// Returns the error of a box of a cluster or of a node whose coordinates are at most this large, converted to float or not, grown
+// by so much.
 double error_of_grown_box(double coordinate, bool is_converted, double by) {
   Box<Budget> box{of_length<0, 3>(coordinate, is_converted ? u * coordinate : 0), {}};
   box.high = box.low;
   box.grow(scalar(by));
   return whole(box.low).in_u();
 }
-// What ClusterPairs::moved finds, for a coordinate of a box and one of the offset between two origins. So does place, without the
-// second rounding.
+// Returns the error of what ClusterPairs::moved finds, for a coordinate of a box and one of the offset between two origins. That
+// of place is the same, without the second rounding.
 double error_of_moved_box(double coordinate, double offset) {
   return (scalar(coordinate) + scalar(offset, u * offset) - scalar(tiny)).in_u();
 }
@@ -184,24 +187,25 @@ Checked check_float_boxes() {
   DerivedBudgets budgets;
   constexpr double spare = four_roundings / u, twice = 2 * spare;
   budgets.add("a cluster's box, with what is to spare", error_of_grown_box(1, false, tiny) + spare, twice);
-  // Of the slack that it grows by: rounded to float, added up and subtracted. The slack has float_slack_and_more for this.
+  // The slack by which it grows is rounded to float, added up and subtracted. float_slack_and_more makes room for this.
   budgets.add("a cluster's box, per slack", 2 + error_of_grown_box(tiny, false, 1) + spare, (float_slack_and_more - 1) / u);
   budgets.add("a cluster's box of doubles, with what is to spare", error_of_grown_box(1, true, tiny) + spare, twice);
   budgets.add("a node's box, with what is to spare", error_of_grown_box(1, true, tiny) + spare, roundings_of_float_box / u);
   budgets.add("a moved box, per coordinate", error_of_moved_box(1, tiny), spare);
   budgets.add("a moved box, per offset", error_of_moved_box(tiny, 1), spare);
-  // Which is then grown.
+  // The moved box is then grown.
   budgets.add("a box moved back, per coordinate", error_of_moved_box(1, tiny) + error_of_grown_box(1, false, tiny), twice);
   budgets.add("a box moved back, per offset", error_of_moved_box(tiny, 1) + error_of_grown_box(1, false, tiny), twice);
-  // In u of double: turned + translation, translation - origin, and what that leaves of the world's.
+  // In u of double, turned + translation and translation - origin are rounded, and so is what these leave of the world's
+  // coordinates.
   const double translation = scalar(1).rounded().in_u() * 3, origin = scalar(1).rounded().in_u() * 2;
   budgets.add("the world's doubles, per translation", translation, lost_in_world / 0x1p-53);
   budgets.add("the world's doubles, per origin", origin, lost_in_world / 0x1p-53);
   return budgets.checked();
 }
 
-// Hulls of whole images of more joints than a pack takes, in u of double: those of the box, and those of the vertices. Each is
-// relative to the lengths of the parts of an image.
+// Checks hulls of whole images of more joints than a pack takes, in u of double: those of the box, and those of the vertices.
+// Each budget is relative to the lengths of the parts of an image.
 Checked check_hulls() {
   DerivedBudgets budgets;
   const Quaternion<Budget> unit = of_length<0, 4>(1);
@@ -230,13 +234,14 @@ Checked check_hulls() {
   return budgets.checked();
 }
 
-// Boxes around what affine joints of a Frobenius norm of 1 make of pieces, and the skinned vertices that they hold. In u of double,
-// for a point, a half extent and an offset of these lengths, and twice a radius.
+// Returns the error, in u of double, of boxes around the images of pieces by affine joints of a Frobenius norm of 1, and of the
+// skinned vertices that they hold. The lengths are those of a point, a half extent and an offset, and twice a radius.
 double error_of_affine_boxes(int joints, double point, double half_extent, double radius, double offset) {
   const Quaternion<Budget> unit = of_length<0, 4>(1);
   const double of_blend = oracle::error_of_blend<3>(joints, 0) * u;
   double worst = 0;
-  // Errors are linear in the products of coordinates and columns. A column is turned by three products, of lengths of sqrt 3 in all.
+  // Errors are linear in the products of coordinates and columns. Three products turn a column, which have lengths of sqrt 3 in
+  // all.
   for (int k = 0; k < 3; ++k) {
     AffineMap<Budget> turn{{rotate<Budget>(unit, of_length<0, 3>(1)), of_length<0, 3>(tiny), of_length<0, 3>(tiny)},
                            of_length<0, 3>(tiny)};
@@ -272,7 +277,7 @@ Checked check_affine_boxes() {
     };
     add("F |p|", error_of_affine_boxes(n, 1, tiny, tiny, tiny));
     add("F |half extent|", error_of_affine_boxes(n, tiny, 1, tiny, tiny));
-    // Where the ball decides it reaches no farther than the box, which is of twice the lengths.
+    // Where the ball decides, it reaches no farther than the box, which has twice the lengths.
     add("F r", error_of_affine_boxes(n, tiny, tiny, 1, tiny));
     add("|t|", error_of_affine_boxes(n, tiny, tiny, tiny, 1));
     budgets.add(joints + "all, not a quarter more", allowed / 1.25, worst);
@@ -280,7 +285,7 @@ Checked check_affine_boxes() {
   return budgets.checked();
 }
 
-// In u of double.
+// Checks the rounding of placements, in u of double.
 Checked check_placements() {
   DerivedBudgets budgets;
   const auto transform = [](double translation) {
@@ -289,7 +294,7 @@ Checked check_placements() {
   const auto error = [&](double of_first, double of_second, double center) {
     const RigidTransform<Budget> first = transform(of_first), second = transform(of_second);
     const Vec<Budget, 3> at = of_length<0, 3>(center);
-    // Of the ball's center, of the triangles' corners of both bodies, and of the distance and the reach.
+    // The terms are those of the ball's center, of the triangles' corners of both bodies, and of the distance and the reach.
     return whole(apply(compose(inverse(first), second), at)).in_u() + whole(apply(first, at)).in_u() +
            whole(apply(second, at)).in_u() + 10;
   };
@@ -302,8 +307,8 @@ Checked check_placements() {
 
 // --- Skinned vertices ---
 
-// The greatest error of a formula that turns x by a quaternion of length 1, for all angles. All exact sums in it are at most this
-// long. formula(q) returns the image.
+// Returns the greatest error of a formula that turns x by a quaternion of length 1, for all angles. All exact sums in it are at
+// most this long. formula(q) returns the image.
 template <class Formula>
 double error_of_turn(double longest, const Formula& formula) {
   using oracle::PlainBudget;
@@ -319,7 +324,7 @@ double error_of_turn(double longest, const Formula& formula) {
   return worst;
 }
 
-// What the formulas of skinned vertices lose of a given blend, in u of any type.
+// Holds what the formulas of skinned vertices lose of a given blend, in u of any type.
 struct ErrorsOfVertices {
   double spherical, of_center_image;  // per ||x|| and per center image
   double linear, of_translation;      // per ||p|| and per translation
@@ -348,7 +353,8 @@ ErrorsOfVertices errors_of_vertices() {
   return {1 + spherical(1, tiny), spherical(tiny, 1), linear(1, tiny), linear(tiny, 1), dual(1, tiny), dual(tiny, 1)};
 }
 
-// The rates of palette_rounding.hpp for a skinned vertex. What a blend's own error turns and moves, b8_blend_error says.
+// Checks the rates of palette_rounding.hpp for a skinned vertex. b8_blend_error bounds how far the blend's own error turns and
+// moves it.
 Checked check_vertices() {
   DerivedBudgets budgets;
   const double u_double = 0x1p-53;
@@ -376,7 +382,7 @@ Checked check_vertices() {
   return budgets.checked();
 }
 
-// What does not grow with kappa and joints is what was derived, or less than a unit more.
+// Checks that rates which do not grow with kappa and joints are what was derived, or less than a unit more.
 Checked check_constants_of_vertices() {
   DerivedBudgets budgets;
   const double u_double = 0x1p-53;
@@ -396,7 +402,7 @@ Checked check_constants_of_vertices() {
   return budgets.checked();
 }
 
-// The least cosine between a lane's joints, of quaternions in float: what is used is below the exact one, and not by much.
+// Checks the least cosine between a lane's joints, of quaternions in float: what is used is below the exact one, and not by much.
 Checked check_cosines() {
   constexpr int cases = 20000, width = baseline::width;
   std::mt19937 random(2006);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds of animated models that hold at every time.
+// Tests bounds of animated models that hold at every time.
 #include "algorithms/bake/over_time/bound_over_time.hpp"
 
 #include <random>
@@ -17,7 +17,7 @@ namespace {
 using namespace refitlab;
 using M = MultiprecisionInterval;
 
-// Where a vertex is at a moment, and how far that is along a direction or from a point: what a bound bounds.
+// Says where a bound is attained: how far a vertex is along a direction, or from a point, at a moment.
 struct Extreme {
   double value = -std::numeric_limits<double>::infinity(), time = 0;
   int vertex = 0;
@@ -40,7 +40,7 @@ class Scene {
     return bound_over_time(joints_, vertices_, {tolerance, directions_, true, most_halvings});
   }
 
-  // Whether all vertices are in slabs and ball at a moment, as intervals say; undecided where the moment is ambiguous.
+  // Says whether all vertices are in slabs and ball at a moment, by intervals; undecided where the moment is ambiguous.
   Verdict holds(const BoundOverTime& bound, double time, Side side) {
     Verdict v = Verdict::holds;
     try {
@@ -52,8 +52,8 @@ class Scene {
     return v;
   }
 
-  // The greatest values of (n, x) and (-n, x) for each direction, and of the distance from a point: among this many moments, each
-  // then followed uphill.
+  // Returns the greatest values of (n, x) and (-n, x) for each direction, and of the distance from a point, among this many
+  // moments, each then followed uphill.
   std::vector<Extreme> extremes(const Point3& center, int moments) {
     std::vector<Extreme> found(2 * directions_.size() + 1);
     const auto& times = joints_.times();
@@ -67,7 +67,7 @@ class Scene {
             if (const double value = value_of(f, *x, center); value > found[f].value) found[f] = {value, time, v};
     }
     for (std::size_t f = 0; f < found.size(); ++f) {
-      // Within the part of the animation, which is smooth.
+      // The search stays within the part of the animation, which is smooth.
       const auto after = std::upper_bound(times.begin(), times.end(), found[f].time);
       const double step = duration / moments, end = after == times.end() ? duration : std::nextafter(*after, 0.0),
                    start = after == times.begin() ? 0 : *(after - 1);
@@ -206,7 +206,7 @@ void never_missed(const gen::AnimatedPlan& plan, Skinning skinning) {
   RC_CLASSIFY(2 * undecided > static_cast<int>(moments.size()), "most moments undecided");
 }
 
-// One vertex at this distance from its joint, which turns from 45 degrees below the x axis to 45 degrees above.
+// Makes one vertex at this distance from its joint, which turns from 45 degrees below the x axis to 45 degrees above.
 Model swinging(double unit = 1, double duration = 1) {
   Model model;
   model.name = model.skeleton.file = "swinging";
@@ -265,14 +265,14 @@ void bounds_hold_and_converge(Suite& t) {
               return;
           }
         RC_TAG("compared");
-        // As many halvings as there are by default: a vertex may hardly move where its joints do, far from their origins.
+        // There are as many halvings as by default: a vertex may hardly move where its joints do, far from their origins.
         const BoundOverTime bound = scene.bound(tolerance, OverTimeOptions().most_halvings);
         const auto reached = scene.extremes(bound.ball.center, 400);
         double longest = 0, error = 0;
         for (int d = 0; d < 3; ++d) longest = std::max(longest, reached[2 * d].value + reached[2 * d + 1].value);
         for (int part = 0; part < scene.joints().part_count(); ++part)
           error = std::max(error, scene.vertices().placing_error(scene.joints().cell(part, times[part], times[part + 1])));
-        // The sample is followed uphill from 400 moments: by smooth clips it misses the extremes by little.
+        // The sample is followed uphill from 400 moments. In smooth clips it misses the extremes by little.
         const double missed = 1e-3 * longest + 4 * error;
         double squared_diagonal = 0;
         for (int d = 0; d < 3; ++d) {
@@ -287,7 +287,7 @@ void bounds_hold_and_converge(Suite& t) {
       });
 }
 
-// Both clips of a model, one after the other, in one bound.
+// Checks both clips of a model, one after the other, in one bound.
 void check_two_clips_together() {
   const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::dual_quaternion);
   const bool is_rigid = skinning != Skinning::linear;
@@ -340,7 +340,7 @@ void what_is_reached_between_keys_and_at_jumps(Suite& t) {
                   at_keys.push_back(p);
               double highest = -1;
               for (const Point3& p : at_keys) highest = std::max(highest, p[0]);
-              // From 45 degrees below the x axis to 45 degrees above: half of the way there x is 1.
+              // The vertex turns from 45 degrees below the x axis to 45 degrees above: half of the way there x is 1.
               scene.vertices().place(*scene.joints().at(0.5, Side::after), Followed::skinned, points);
               return std::abs(highest - std::sqrt(0.5)) < 1e-15 && std::abs(points[0][0] - 1) < 1e-15 &&
                      bound.slabs[0].high >= 1 && bound.moments < 20 && scene.holds(bound, 0.5, Side::after) == Verdict::holds;
@@ -381,7 +381,7 @@ void what_is_reached_between_keys_and_at_jumps(Suite& t) {
   });
 }
 
-// A vertex at its joint, which goes from the origin along a cubic spline to this x and back.
+// Makes a vertex at its joint, which moves from the origin along a cubic spline to this x and back.
 Model there_and_back(double x, double duration) {
   Model model = swinging(0, duration);
   NodeTrack& track = model.clips[0].animation.tracks[0];
@@ -391,14 +391,14 @@ Model there_and_back(double x, double duration) {
   return model;
 }
 
-// A power of ten, of a number that is drawn from these.
+// Draws a power of ten whose exponent is between these.
 double drawn_power(double low, double high) {
   const double share = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1000001)) / 1e6;
   return std::pow(10.0, low + share * (high - low));
 }
 
-// In the middle of a clip, a vertex is farther along x than it is at the keys. Lengths and durations are such that squares of lengths, speeds
-// or accelerations underflow or overflow.
+// Checks a clip in whose middle a vertex is farther along x than it is at the keys. Lengths and durations are such that squares
+// of lengths, speeds or accelerations underflow or overflow.
 void check_extremes_between_keys() {
   const bool turns = *rc::gen::arbitrary<bool>(), is_tiny = *rc::gen::arbitrary<bool>();
   const double unit = is_tiny ? drawn_power(-310, -140) : drawn_power(-140, 30);
@@ -454,7 +454,7 @@ void lengths_and_durations_out_of_the_range_of_squares(Suite& t) {
             });
 }
 
-// The message of what bound_over_time refuses; empty if it bounds.
+// Returns the message with which bound_over_time refuses, or nothing if it bounds.
 std::string refusal_of(double tolerance, const std::vector<Point3>& directions) {
   const Model model = swinging();
   try {

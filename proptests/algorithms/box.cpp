@@ -23,14 +23,14 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 bool same(const Box<double>& a, const Box<double>& b) { return a.low == b.low && a.high == b.high; }
 bool separates_nothing(const Box<double>& a, const Box<double>& b) { return !are_apart(a, b) && !are_apart(b, a); }
 
-// The box [0, 1]^3, moved by so much along an axis.
+// Returns the box [0, 1]^3, moved by so much along an axis.
 Box<double> unit_box(int axis, double by) {
   Box<double> box{Point3::Zero(), Point3::Ones()};
   box.low[axis] += by, box.high[axis] += by;
   return box;
 }
 
-// Around the same points, by rows of registers.
+// Returns the box around the same points, by rows of registers.
 template <class S>
 Box<double> by_rows(std::span<const Point3> points) {
   auto box = RowBox<S>::empty();
@@ -71,7 +71,7 @@ void boxes_in_blocks(Suite& t) {
   });
 }
 
-// Some flipped boxes, how large their coordinates are at most, and what they may be off by.
+// Holds some flipped boxes, the largest of their coordinates, and what they may be off by.
 struct Flipped {
   std::vector<FlippedBox> boxes;
   float largest = 0;
@@ -84,7 +84,7 @@ Flipped some_flipped_boxes(std::mt19937& random, float scale, bool are_points) {
   out.lost = scale * std::array{0.0, 1e-300, 1e-7, 1.0, 1e3}[random() % 5];
   std::uniform_real_distribution<float> within(-scale, scale), wide(0, are_points ? 0 : scale);
   for (FlippedBox& box : out.boxes) {
-    box.set_all(std::numeric_limits<float>::infinity());  // as the unused numbers stay
+    box.set_all(std::numeric_limits<float>::infinity());  // The unused numbers stay at this value.
     for (int i = 0; i < 3; ++i) {
       box.of[i] = within(random), box.of[4 + i] = -(box.of[i] + wide(random));
       out.largest = std::max({out.largest, std::abs(box.of[i]), std::abs(box.of[4 + i])});
@@ -93,7 +93,8 @@ Flipped some_flipped_boxes(std::mt19937& random, float scale, bool are_points) {
   return out;
 }
 
-// Whether the grown box holds the flipped one with all that it may be off by, and four roundings more, and is no larger than that asks for.
+// Says whether the grown box holds the flipped one with all that it may be off by, and four roundings more, and is no larger than
+// that requires.
 bool is_grown(const Box<float>& grown, const Box<double>& box, const Flipped& of) {
   constexpr double rounding = 0x1p-24;
   const auto is_beyond = [&](double side, double inner) {

@@ -21,7 +21,7 @@ std::vector<Ball3<double>> as_balls(const std::vector<Point3>& points) {
   return out;
 }
 
-// The extents of the balls' centers along the three axes of the orientation.
+// Returns the extents of the balls' centers along the three axes of the orientation.
 Point3 extents(const std::vector<Ball3<double>>& balls, const Quaternion<double>& q) {
   Point3 out;
   for (int i = 0; i < 3; ++i) {
@@ -49,7 +49,8 @@ void orientations_of_clouds(Suite& t) {
     for (int round = 0; round < 50; ++round) {
       const Quaternion<double> q =
           Quaternion<double>(normal(random), normal(random), normal(random), normal(random)).normalized();
-      std::vector<Point3> points;  // pairs, so that the mean is the middle exactly and the covariance is diagonal
+      // There are pairs of points, so that the mean is exactly the middle and the covariance is diagonal.
+      std::vector<Point3> points;
       for (const double s : {-1.0, 1.0})
         for (int i = 0; i < 3; ++i) points.push_back(Point3(7, 0, 0) + rotate<double>(q, Point3::Unit(i) * s * (1 << i)));
       Point3 e = extents(as_balls(points), box_orientations(as_balls(points))[1]);

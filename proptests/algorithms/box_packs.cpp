@@ -33,7 +33,7 @@ std::vector<FlippedBox> bound(const Character& c, std::span<const int> nodes, Sk
   return boxes;
 }
 
-// How far the vertices of a node, skinned and turned, are outside of the box; infinite if the box is undefined.
+// Returns how far the vertices of a node, skinned and turned, are outside of the box; infinity if the box is undefined.
 double excess(const Character& c, int node, const std::vector<Point3>& turned, const FlippedBox& box) {
   double worst = -std::numeric_limits<double>::infinity();
   for (const int v : c.vertices[node])
@@ -53,7 +53,7 @@ bool is_everything(const FlippedBox& b) {
   return true;
 }
 
-// What float may lose of a box, on both sides, of these lengths: that is stated in box_kernel.cpp.
+// Returns what float may lose of a box of this size, both sides together, as box_kernel.cpp states.
 double stated_slack(double size, int joints) { return size * (joints <= most_box_joints ? 0x1p-10 : 2e-5) + 1e-36; }
 
 void boxes_hold_their_vertices(Suite& t) {
@@ -103,8 +103,8 @@ void boxes_hold_their_vertices(Suite& t) {
           });
 }
 
-// Three joints, of which the first has next to no weight, and the others turn nearly opposite ways of it: the blend is shorter than
-// what floats have of it, or not much longer.
+// Makes a mesh of three joints, of which the first has next to no weight, and the others turn in nearly opposite directions from
+// it. The blend is shorter than float's rounding of it, or not much longer.
 SkinnedMesh mesh_of_short_blends(std::mt19937& random) {
   std::uniform_real_distribution<double> u(-1, 1);
   SkinnedMesh model;
@@ -185,7 +185,8 @@ void boxes_at_attained_bounds_and_far_away(Suite& t) {
         std::uniform_real_distribution<double> u(-1, 1);
         const int joints = *rc::gen::inRange(1, 9);
         const double near = *rc::gen::element(0.0, 1e-12, 1e-11, 1e-6);
-        const bool on_axes = *rc::gen::arbitrary<bool>();  // the ball's farthest points, moved nearly by one joint
+        // The vertices are the farthest points of a ball along the axes, and nearly all of their weight is on one joint.
+        const bool on_axes = *rc::gen::arbitrary<bool>();
         const Point3 away = Point3(u(random), u(random), u(random)).cast<float>().cast<double>() * 1024;
         SkinnedMesh model;
         model.name = "far away";
@@ -246,7 +247,8 @@ void joints_in_float(Suite& t) {
   t.holds("what float does not hold has boxes without end, and none that leave a vertex out",
           {.number_type = "float", .cases = 3000}, [] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-            const bool nearly_holds = random() % 2;  // or not at all
+            // The lengths are near the end of float's range, or anywhere from 1e34 to nearly 1e40.
+            const bool nearly_holds = random() % 2;
             std::uniform_real_distribution<double> exponent(nearly_holds ? 37.5 : 34, nearly_holds ? 38.6 : 39.9), u(-1, 1);
             gen::Attained scene = gen::attained(random);
             enum { vertex, vertices, joint, center };
@@ -260,7 +262,8 @@ void joints_in_float(Suite& t) {
             if (what == vertices)
               for (Point3& v : scene.mesh.vertices) v += away;
             if (what == joint) scene.pose[any_joint()].translation = away;
-            if (what == center)  // whose images are where the vertices were
+            // The joints' origins are far away, and their images are where the vertices were.
+            if (what == center)
               for (std::size_t j = 0; j < scene.pose.size(); ++j) {
                 scene.mesh.joints[j].origin = away;
                 scene.pose[j].translation = -rotate(scene.pose[j].rotation, away);
@@ -297,7 +300,8 @@ PROPTEST(box_packs) {
         constexpr int tried = 500;
         for (int i = 0; i < tried; ++i) {
           const double angle = turn(random), unit = std::exp2(static_cast<int>(random() % 40) - 20);
-          const Point3 v = Point3(std::cos(angle), std::sin(angle), 0) * unit;  // 1 or so units long, by half a bit more or less
+          // The length is one unit, up to rounding.
+          const Point3 v = Point3(std::cos(angle), std::sin(angle), 0) * unit;
           SkinnedMesh model;
           model.name = "across";
           model.vertices = {v, -v, v};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The file of cases: every case has its verdict, every pinned counterexample its twin, and bad files get clear errors.
+// Tests the file of cases: every case has its verdict, every pinned counterexample its case, and bad files get clear errors.
 #include <map>
 #include <set>
 
@@ -14,7 +14,7 @@ namespace {
 using namespace refitlab;
 using namespace proptests::cases;
 
-// Relative to the root of the repository, from where the tests are run.
+// The path is relative to the root of the repository, from where the tests are run.
 const char* const file = "proptests/cases/cases.json";
 
 const std::vector<Case>& all_cases() {
@@ -24,7 +24,7 @@ const std::vector<Case>& all_cases() {
 
 std::string quoted(const Case& c) { return "'" + c.name + "'"; }
 
-// What is wrong with a case of a lemma; empty if nothing is.
+// Returns what is wrong with a case of a lemma, or nothing.
 std::string complaint(const Case& c, const Statement& s) {
   const Judgement exact = s.exact(c), interval = s.interval(c);
   const Verdict expected = verdict_of(c.expected == "holds"), met = verdict_of(c.without.empty());
@@ -52,7 +52,7 @@ Checked check_all(const std::vector<Case>& list) {
   return Checked(complaints.empty(), static_cast<long>(list.size()), complaints);
 }
 
-// Each claim has a case, and each form of a statement that has a printed and a repaired one has.
+// Checks that each claim has a case, and that each form of a statement has one if it has a printed and a repaired form.
 Checked check_coverage() {
   std::set<std::string> claims, forms;
   std::map<std::string, std::set<std::string>> forms_of;
@@ -72,7 +72,7 @@ Checked check_coverage() {
 
 // --- Bad files ---
 
-// A good case to be spoiled: its text with one part replaced by another.
+// This is a good case whose text is spoiled by replacing one part with another.
 const std::string lemma_case = R"({"format": "refitlab cases 1", "cases": [{"name": "a", "statement": "t3_one_cap",
   "form": "beyond", "claim": "cap_holds_blend", "inputs": {"quaternions": [["1", "0", "0", "0"], ["1", "1", "0", "0"]],
   "axis": ["1", "0", "0", "0"], "squared_cosine": "1/2", "coefficients": ["1/2", "1/2"]},
@@ -104,7 +104,7 @@ std::string error_of(const std::string& text) {
   }
 }
 
-// The first case of a claim, changed, as the only one of a file.
+// Returns a file whose only case is the first case of a claim, changed.
 std::string changed_case(const std::string& claim, const std::function<void(Json&)>& change) {
   Json whole = Json::parse(read_whole(file));
   for (Json c : Json(whole["cases"]))
@@ -176,14 +176,14 @@ std::vector<Spoiled> spoiled_cases() {
   };
 }
 
-// A list in JSON of so many equal parts, without its brackets.
+// Returns a list in JSON of so many equal parts, without its brackets.
 std::string repeated(const std::string& part, int times) {
   std::string out = part;
   for (int i = 1; i < times; ++i) out += ", " + part;
   return out;
 }
 
-// 24 joints with weights in [0, 1/12]: 24 choose 12 weight vertices.
+// Returns a case of 24 joints with weights in [0, 1/12], which have 24 choose 12 weight vertices.
 std::string case_of_many_weight_vertices() {
   std::string many = refit_case;
   const auto put = [&](const std::string& from, const std::string& to) { many.replace(many.find(from), from.size(), to); };
@@ -195,7 +195,7 @@ std::string case_of_many_weight_vertices() {
   return many;
 }
 
-// Texts of cases that are spoiled in more than one place, with words of the error.
+// Returns texts of cases that are spoiled in more than one place, with words of the error.
 std::vector<std::pair<std::string, std::string>> cases_of_other_counts() {
   const auto drop_last = [](Json& list) { list.erase(list.size() - 1); };
   const std::string few_points =

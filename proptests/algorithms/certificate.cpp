@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates of refitted balls and their checker, proptests/certificate/check: what is true is accepted, whatever is
+// Tests certificates of refitted balls and their checker, proptests/certificate/check: what is true is accepted, whatever is
 // changed is noticed, and no bound proves what is false.
 #include "algorithms/certificate/certificate.hpp"
 
@@ -57,7 +57,7 @@ Skinning skinning_of(const json& document) {
                                                                               : Skinning::spherical;
 }
 
-// What a document says of a joint-set.
+// Reads what a document says of a joint-set.
 OwnedPaletteEntry<Rational> palette_of(const json& set) {
   OwnedPaletteEntry<Rational> out;
   for (std::size_t i = 0; set.contains("columns") && i < set["columns"].size(); ++i) {
@@ -81,7 +81,7 @@ Ball3<Rational> exactly(const Ball3<double>& b) { return {convert<Rational>(b.ce
 
 bool same(const Ball3<Rational>& a, const Ball3<Rational>& b) { return a.center == b.center && a.radius == b.radius; }
 
-// The joints of a document, as it stands in its joint-set, are those of the palette.
+// Says whether the joints of a document, as it stands in its joint-set, are those of the palette.
 bool has_joints(const json& document, const PaletteEntry<Rational>& stated, const PaletteEntry<double>& palette,
                 Skinning skinning) {
   if (stated.transforms.size() != (palette.maps.empty() ? palette.transforms.size() : 0) ||
@@ -103,7 +103,7 @@ bool has_joints(const json& document, const PaletteEntry<Rational>& stated, cons
   return all;
 }
 
-// The document is about this ball and these inputs, to the last bit.
+// Says whether the document is about this ball and these inputs, to the last bit.
 bool is_about(const json& document, const RefitNode<double>& node, Skinning skinning, const Ball3<double>& ball,
               const CertifiedNode& of) {
   bool all = skinning_of(document) == skinning && same(ball_of(document["ball"]), exactly(ball)) &&
@@ -150,12 +150,13 @@ json certify(CheckedFolder& folder, const RefitVariant& variant, const RefitNode
   return certify(folder, variant, node, gen::BareCertifiedNode(node, variant.name));
 }
 
-// Of a character, without its documents.
+// Returns the node of a character, without its documents.
 CertifiedNode certified(const Character& c, int node, const std::string& about) {
   return certified_node(c, node, about, std::string(64, '1'), std::string(64, '2'));
 }
 
-// Of true certificates: the checker accepts each, or refuses it for its size, of which the writer knows. Counts those accepted.
+// Checks that the checker accepts each of these true certificates, or refuses it for its size, as the writer predicts. Counts
+// those accepted.
 Checked check_true_ones(const CheckedFolder& folder) {
   const auto lines = folder.check();
   long accepted = 0, refused = 0;
@@ -186,7 +187,7 @@ void check_random_nodes() {
   require_true_ones(folder);
 }
 
-// Some nodes of a character in a pose, by every sound variant.
+// Checks some nodes of a character in a pose, by every sound variant.
 Checked check_nodes(const Character& c, const Pose& pose, std::mt19937& random, int nodes) {
   CheckedFolder folder;
   for (int i = 0; i < nodes; ++i) {
@@ -201,7 +202,7 @@ Checked check_nodes(const Character& c, const Pose& pose, std::mt19937& random, 
   return check_true_ones(folder);
 }
 
-// Some nodes of a random mesh whose joints are affine, by every sound variant of linear skinning.
+// Checks some nodes of a random mesh whose joints are affine, by every sound variant of linear skinning.
 void check_affine_nodes() {
   const auto plan = *gen::mesh_plan();
   const gen::JointKind kind = *rc::gen::map(rc::gen::inRange(0, gen::joint_kind_count), [](int k) { return gen::JointKind{k}; });
@@ -221,11 +222,11 @@ Checked check_model(const AnimatedCharacter& c) {
   std::mt19937 random(2006);
   const Clip& clip = c.clips.at(0);
   Checked checked = check_nodes(c, clip.sample(0.3718 * clip.duration), random, 3);
-  checked.passed = checked.passed && checked.detail.empty();  // no refusal for size either
+  checked.passed = checked.passed && checked.detail.empty();  // No certificate is refused for its size either.
   return checked;
 }
 
-// --- Balls that are not a refit's of this node in this palette, or a little less than one ---
+// --- Balls that are no refit of this node in this palette, or a little smaller than one ---
 
 std::vector<Ball3<double>> nearby_balls(const Ball3<double>& ball, std::mt19937& random) {
   const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
@@ -240,9 +241,10 @@ std::vector<Ball3<double>> nearby_balls(const Ball3<double>& ball, std::mt19937&
   return out;
 }
 
-// Whatever has a certificate is accepted and holds all vertices of the node exactly.
+// Checks that whatever has a certificate is accepted and holds all vertices of the node exactly.
 void check_other_balls() {
-  int certified_balls = 0, missing = 0, holding = 0;  // the last two have no certificate, and miss a vertex or do not
+  // The last two count balls that have no certificate: those that miss a vertex, and those that do not.
+  int certified_balls = 0, missing = 0, holding = 0;
   const auto plan = *gen::mesh_plan();
   const auto c = bake(gen::make_mesh(plan));
   std::mt19937 random(plan.seed);
@@ -292,7 +294,7 @@ void check_other_balls() {
 
 // --- What is changed ---
 
-// One change of some bytes, none of which is without effect.
+// Returns the text with one change of some bytes, which is never without effect.
 std::string with_other_bytes(const std::string& text, std::mt19937& random) {
   const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   for (;;) {
@@ -310,14 +312,14 @@ std::string with_other_bytes(const std::string& text, std::mt19937& random) {
   }
 }
 
-// Every value of a document, from the document itself down.
+// Lists every value of a document, from the document itself down.
 void all_values(json& value, std::vector<json*>& out) {
   out.push_back(&value);
   if (value.is_structured())
     for (json& v : value) all_values(v, out);
 }
 
-// One value becomes something else, by whatever shape it has; the document itself stays an object.
+// Returns the document with one value changed to something of any shape. The document itself stays an object.
 json with_other_value(json document, std::mt19937& random) {
   const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   const json before = document;
@@ -358,7 +360,7 @@ json with_other_value(json document, std::mt19937& random) {
 
 // --- What is false ---
 
-// The weights at which a piece is looked at: weight vertices, points between two, the middle of all.
+// Returns weights at which a piece is looked at: weight vertices, points between two of them, and the mean of all.
 std::vector<Numbers> sampled(const json& weight_vertices) {
   std::vector<Numbers> out;
   for (const json& weight_vertex : weight_vertices) {
@@ -380,8 +382,8 @@ std::vector<Numbers> sampled(const json& weight_vertices) {
   return out;
 }
 
-// Points of the reference ball whose images tell whether all of it is inside: of a rigid blend the image is a ball, and the
-// center's distance and r are enough; of a linear one its center and the six ends of its axes are looked at.
+// Holds a point whose image shows whether all of the reference ball is inside. The image by a rigid blend is a ball, so that the
+// center's distance and r are enough; of a linear blend the center and the six ends of the ball's axes are looked at.
 struct Image {
   Vec<Rational, 3> position;
   Rational margin;
@@ -407,7 +409,7 @@ std::vector<Image> images_of(const json& document, const json& piece) {
   return out;
 }
 
-// A listed vertex as it is skinned, unless its blend is 0.
+// Returns a listed vertex as it is skinned, unless its blend is 0.
 std::optional<Vec<Rational, 3>> image_of(const json& document, const json& vertex) {
   const json& piece = document["pieces"].at(vertex["piece"].get<std::size_t>());
   const auto palette = palette_of(document["joint_sets"][piece["joint_set"].get<std::size_t>()]);
@@ -418,7 +420,7 @@ std::optional<Vec<Rational, 3>> image_of(const json& document, const json& verte
   return blend<Rational>(skinning, palette, w, vector<3>(vertex["position"]));
 }
 
-// Some vertex is outside, decided exactly.
+// Says whether some vertex is outside, exactly.
 bool is_false(const json& document) {
   const auto ball = ball_of(document["ball"]);
   for (const json& piece : document["pieces"])
@@ -430,7 +432,7 @@ bool is_false(const json& document) {
   return false;
 }
 
-// The least radius that the images seen allow, up to rounding.
+// Returns the least radius that the images seen allow, up to rounding.
 double needed_radius(const json& document) {
   const auto center = vector<3>(document["ball"]["center"]);
   double needed = 0;
@@ -446,8 +448,8 @@ class Forger {
  public:
   explicit Forger(std::mt19937& random) : random_(random) {}
 
-  // Inputs and bounds are changed or not, and then the radius is a little less than is needed. The center is moved little
-  // or far: seen from afar, any image may be the farthest, not only those of weight vertices.
+  // Changes inputs and bounds or not, and then makes the radius a little less than is needed. The center is moved by little or
+  // far: seen from afar, any image may be the farthest, not only those of weight vertices.
   json forge(json document) {
     json& piece = document["pieces"][pick(document["pieces"].size())];
     json& set = document["joint_sets"][piece["joint_set"].get<std::size_t>()];
@@ -490,18 +492,18 @@ class Forger {
       set[data][joint] = as_json<3>(vector<3>(set[data][joint]) + some_vector<3>());
     }
   }
-  // A weight vertex becomes a weight vertex of the whole simplex.
+  // Replaces one weight vertex by a vertex of the whole simplex.
   void widen(json& weight_vertices) {
     json& weight_vertex = weight_vertices[pick(weight_vertices.size())];
     const std::size_t n = weight_vertex.size(), one = pick(n);
     for (std::size_t i = 0; i < n; ++i) weight_vertex[i] = i == one ? "1" : "0";
   }
 
-  // Any bound that has the shape of one: also a kept one whose halves are cut.
+  // Returns any bound that has the shape of one, or a given one whose halves are cut.
   json some_bound(const json& document, const json& piece, int depth) {
     const std::size_t m = piece["weight_vertices"].size();
     if (document["skinning"] == "affine") {
-      // Those that were found, all times one number, or some of them anything.
+      // The factors are those that were found, all times one number, or some of them are anything.
       const Rational factors[] = {0, 1, Rational(1, 2), Rational(999, 1000), 1000, -1};
       json bound = piece["bound"];
       const Rational factor = factors[pick(6)];
@@ -531,7 +533,7 @@ class Forger {
   std::mt19937& random_;
 };
 
-// Certificates of random nodes, small ones.
+// Returns certificates of small random nodes.
 std::vector<json> some_certificates() {
   CheckedFolder folder;
   std::vector<json> out;
@@ -550,7 +552,7 @@ std::vector<json> some_certificates() {
   return out;
 }
 
-// The root of a tube whose joints are turned a little.
+// Holds the root of a tube whose joints are turned a little.
 struct BentTube {
   const Character c = bake(gen::make_mesh({gen::MeshKind::tube, 12, 4, 3, 2006}));
   std::mt19937 random{2006};
@@ -566,7 +568,7 @@ struct Malformed {
   const char* reason;
 };
 
-// With another value at a place, and a digest of that.
+// Returns a change that puts another value at a place, and seals the document with a new digest.
 std::function<std::string(const json&)> with(const char* pointer, const json& value) {
   return [=](const json& document) {
     json changed = document;
@@ -644,7 +646,7 @@ std::vector<Malformed> malformed_members() {
   };
 }
 
-// bound: one that proves something.
+// Returns malformed bounds. bound is one that proves something.
 std::vector<Malformed> malformed_bounds(const json& bound) {
   return {
       {"a bound that is a text", with("/pieces/0/bound", "control"), "bound is no dict"},
@@ -789,7 +791,7 @@ void what_has_no_certificate(Suite& t) {
 
 void joint_sets_and_shares_as_they_are_written(Suite& t) {
   t.example("joint-sets are written once each, and pieces name them by their places, whatever their numbers", {}, [] {
-    // Two pieces of set 2 around one of set 0.
+    // The node has two pieces of set 2 around one of set 0.
     const BentTube tube;
     const RefitNode<double>& node = tube.node;
     std::vector<NodePiece> twice(node.pieces.rbegin(), node.pieces.rend());

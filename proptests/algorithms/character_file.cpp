@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A baked character comes back from its bytes as it was; bytes that are no such file, or that fit nothing, are refused.
+// Tests that a baked character read from its bytes is as it was, and that bytes that are no such file, or do not fit together,
+// are refused.
 #include "algorithms/runtime/tree/character_file.hpp"
 
 #include <array>
@@ -20,7 +21,7 @@ namespace {
 
 using namespace refitlab;
 
-// With a morph target that moves every second vertex.
+// Returns a character with a morph target that moves every second vertex.
 Character small_character() {
   SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1});
   mesh.targets = {2, std::vector<std::vector<Displacement<double>>>(mesh.vertices.size())};
@@ -28,7 +29,7 @@ Character small_character() {
   return bake(std::move(mesh));
 }
 
-// The message of the refusal; empty if the bytes are read.
+// Returns the message of the refusal, or nothing if the bytes are read.
 std::string refusal(std::string_view bytes) {
   try {
     character_of(bytes, "man.refitlab");
@@ -38,7 +39,7 @@ std::string refusal(std::string_view bytes) {
   return "";
 }
 
-// What a change does to a character, and words of the refusal of its bytes.
+// Holds a change of a character, and words of the refusal of its bytes.
 struct Fault {
   const char* words;
   std::function<void(Character&)> make;
@@ -66,7 +67,7 @@ void deepen(Character& c, int levels) {
   c.tree.nodes = std::move(nodes);
 }
 
-// Adds a node behind the last one, like it.
+// Adds a node behind the last one, equal to it.
 void lengthen(Character& c) {
   TreeNode node = c.tree.nodes.back();
   const std::vector<NodePiece> own(c.tree.pieces.end() - node.piece_count, c.tree.pieces.end());
@@ -82,7 +83,7 @@ void set_weight_vertices(Character& c, const std::array<double, 3>& weights) {
     if (c.sets.joints(piece.joint_set).size() == 3)
       for (int i = 0; i < 3; ++i) c.tree.weight_vertices[static_cast<std::size_t>(piece.first_weight + i)] = weights[i];
 }
-// Beside the simplex, although no weight is above 1 and their sum is 1.
+// Puts a weight vertex beside the simplex, although no weight is above 1 and their sum is 1.
 void leave_simplex(Character& c) { set_weight_vertices(c, {-0.25, 1, 0.25}); }
 
 // Lets a piece begin at a weight vertex in the midst of those of an earlier piece of its joint-set.
@@ -102,7 +103,7 @@ void empty_a_child(std::vector<TreeNode>& nodes) {
   nodes[2].triangle_count = nodes[2].vertex_count = 0;
 }
 
-// Numbers out of range at either end, or at neither, in nodes, pieces and displacements.
+// Returns faults that put numbers out of range at either end, or at neither, in nodes, pieces and displacements.
 std::vector<Fault> faults_of_ranges() {
   const auto node = [](auto change) { return [=](Character& c) { change(c.tree.nodes); }; };
   const auto levels = [](int by) {
@@ -216,7 +217,8 @@ std::vector<Fault> faults() {
   };
 }
 
-// A mesh with most of its vertices on a face of the cube in which coordinates are accepted, some on an edge or at a corner of it.
+// Makes a mesh with most of its vertices on a face of the cube in which coordinates are accepted, and some on an edge or at a
+// corner of it.
 SkinnedMesh on_faces_of_the_cube(std::mt19937& random) {
   constexpr double end = 1e40;
   std::uniform_real_distribution<double> anywhere(-end, end);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The independent checker, proptests/certificate/check: each of its conditions at its edge, what it says of hostile files,
+// Tests the independent checker, proptests/certificate/check: each of its conditions at its edge, its answers to hostile files,
 // and that it refuses what would take long before it begins.
 #include <sys/stat.h>
 
@@ -34,7 +34,7 @@ const json origin = point("0", "0", "0"), unturned = {"1", "0", "0", "0"}, zero_
 json ball(const json& center, const json& radius) { return {{"center", center}, {"radius", radius}}; }
 const json units = {{"1", "0", "0"}, {"0", "1", "0"}, {"0", "0", "1"}}, small = ball(origin, "1");
 
-// A list of one, which braces alone do not make.
+// Returns a list of one, which braces alone do not make.
 json alone(const json& item) { return json::array({item}); }
 json nested(const json& list) { return list.front().is_structured() ? list : alone(list); }
 const json one_weight_vertex = alone(alone("1"));
@@ -43,7 +43,7 @@ json piece(const json& weight_vertices, const json& reference, const json& bound
   return {{"joint_set", 0}, {"weight_vertices", weight_vertices}, {"reference", reference}, {"bound", bound}};
 }
 
-// rotations: of affine joints, the three columns of each.
+// Makes a document. For affine joints, rotations are the three columns of each.
 json document(const char* skinning, const json& rotations, const json& data, const json& pieces, const json& around) {
   const bool is_affine = skinning == std::string("affine");
   json set{{"joints", json::array()}};
@@ -139,8 +139,8 @@ json as_json(const Bound& b) {
   }
 }
 
-// Documents of random pieces and bounds, of balls just large enough and just too small. A degenerate case has bounds that prove
-// nothing, for which every ball is too small.
+// Checks documents of random pieces and bounds, of balls just large enough and just too small. A degenerate case has bounds that
+// prove nothing, for which every ball is too small.
 void check_least_radii() {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   const bool proves_nothing = *rc::gen::inRange(0, 3) == 2;
@@ -172,14 +172,15 @@ void check_least_radii() {
   for (std::size_t i = 0; i < lines.size(); ++i) RC_ASSERT(lines[i].is_accepted() == is_large_enough[i]);
 }
 
-// --- Equality, and the smallest step beyond it, at each place of each list ---
+// --- Equality at each place of each list, and the smallest step beyond it ---
 
 struct Tight {
   const char* what;
   json document;
 };
 
-// Vertices at the edge of their piece: on its sphere, of mixed weight vertices, of the same one twice, of a share of 0.
+// Puts vertices at the edge of their piece: on its sphere, of mixed weight vertices, of the same weight vertex twice, of a share
+// of 0.
 json with_vertices_at_edges(json document) {
   document["vertices"][0]["position"] = point("2/3", "2/3", "-1/3");
   document["vertices"][1].update(
@@ -188,11 +189,11 @@ json with_vertices_at_edges(json document) {
   return document;
 }
 
-// Each holds with equality, of a radius that is a fraction.
+// Returns documents each of which holds with equality, of a radius that is a fraction.
 std::vector<Tight> tight_documents() {
   std::vector<Tight> out;
   const json left = {"2", "1", "0", "0"}, right = {"2", "-1", "0", "0"};
-  for (int far = 0; far < 3; ++far) {  // which weight vertex is the farthest
+  for (int far = 0; far < 3; ++far) {  // The number says which weight vertex is the farthest.
     json moved = repeated(origin, 3), duals = repeated(zero_dual, 3);
     moved[far] = point("12", "0", "0");
     duals[far] = {"0", "6", "0", "0"};
@@ -225,7 +226,7 @@ std::vector<Tight> tight_documents() {
                                             {piece(one_weight_vertex, small, control)}, ball(origin, "7"))});
   out.push_back({"a shorter joint", document("linear", {{"1/2", "0", "0", "0"}}, {origin},
                                              {piece(one_weight_vertex, small, control)}, ball(origin, "1"))});
-  // Of two joints, one of which scales by 2, at three weight vertices.
+  // These are two joints, one of which scales by 2, at three weight vertices.
   const json halfway = json::array({json::array({"1", "0"}), json::array({"1/2", "1/2"}), json::array({"0", "1"})});
   const json twice = json::array({scale("2", "2", "2"), scale("1", "1", "1")}), above = ball(point("0", "0", "1"), "1");
   const json doubled = stretch(json::array({"2", "1"}), json::array({"2", "3/2", "1"}));
@@ -251,7 +252,7 @@ std::vector<Tight> tight_documents() {
   out.push_back(
       {"halves", document("spherical", {unturned, unturned}, {point("12", "0", "0"), origin},
                           {piece(both, small, halves(0, 1, control, all_rotations))}, ball(point("0", "5", "0"), "14"))});
-  json deep = all_rotations;  // as deep as halves may be
+  json deep = all_rotations;  // The halves are nested as deep as they may be.
   for (int depth = 0; depth < 32; ++depth) deep = halves(1, 0, all_rotations, deep);
   out.push_back({"halves of halves", document("spherical", {unturned, unturned}, {point("12", "0", "0"), origin},
                                               {piece(both, small, deep)}, ball(point("0", "5", "0"), "14"))});
@@ -261,7 +262,7 @@ std::vector<Tight> tight_documents() {
   return out;
 }
 
-// By the smallest fraction that a document may have.
+// Lowers the radius by the smallest fraction that a document may have.
 json with_less_radius(json document) {
   Rational radius(document["ball"]["radius"].get<std::string>());
   radius -= 1 / Rational("1" + std::string(380, '0'));
@@ -281,7 +282,7 @@ Checked check_tight() {
   return Checked(true, long(lines.size()));
 }
 
-// --- One condition broken, each for its reason ---
+// --- One broken condition each, with the reason of the rejection ---
 
 struct Broken {
   std::string what;
@@ -300,7 +301,8 @@ struct WithOther {
   std::vector<Broken>& out;
 };
 
-// Lists of a fixed length with an item less and one more, objects with a member less and one more, and neither.
+// Adds lists of a fixed length with an item less and one more, objects with a member less and one more, and values that are
+// neither.
 void add_other_shapes(const json& good, const Texts& lists, const Texts& objects, std::vector<Broken>& out) {
   const WithOther with{good, out};
   for (const std::string& place : lists) {
@@ -327,7 +329,7 @@ void add_other_shapes(const json& good, const Texts& lists, const Texts& objects
   }
 }
 
-// Of two affine joints, one of which shears.
+// Adds broken documents of two affine joints, one of which shears.
 void add_broken_affine(std::vector<Broken>& out) {
   const json sheared = columns(point("1/2", "0", "0"), point("-2", "2", "0"), point("0", "0", "1"));
   const json both = json::array({json::array({"1", "0"}), json::array({"0", "1"})});
@@ -351,12 +353,12 @@ void add_broken_affine(std::vector<Broken>& out) {
                    {"/joint_sets/0", "/pieces/0/bound"}, out);
 }
 
-// Of three vertices at the origin, each in a piece of its own of three joints.
+// Makes a document of three vertices at the origin, each in a piece of its own of three joints.
 json three_pieces() {
   return document("linear", repeated(unturned, 3), repeated(origin, 3), repeated(piece(units, small, control), 3),
                   ball(origin, "1"));
 }
-// The denominator of the smallest fraction that a document may have.
+// This is the denominator of the smallest fraction that a document may have.
 const std::string tiny = "/1" + std::string(380, '0');
 
 void add_broken_pieces(const json& good, std::vector<Broken>& out) {
@@ -418,7 +420,8 @@ void add_broken_vertices(const json& good, std::vector<Broken>& out) {
       with(at + "position", outside, "the position is outside the reference ball");
     }
   }
-  json negative = good;  // shares of sum 1 that make the weights, one of them below 0
+  // The shares have the sum 1 and make the weights, and one of them is below 0.
+  json negative = good;
   negative["vertices"][1]["weight_vertices"] = {0, 1, 1}, negative["vertices"][1]["shares"] = {"1", "1", "-1"};
   out.push_back({"a share below 0", negative, "vertices[1]: the shares are not convex"});
 }
@@ -461,7 +464,7 @@ void add_broken_numbers(const json& good, std::vector<Broken>& out) {
   with("/joint_sets", json::array(), "is no list of something");
 }
 
-// Bounds of rigid joints that do not prove what they should.
+// Adds bounds of rigid joints that do not prove what they should.
 void add_broken_bounds(std::vector<Broken>& out) {
   const auto rigid = [&](const char* what, const json& rotations, const json& bound, const char* reason,
                          const char* skinning = "spherical") {
@@ -471,7 +474,7 @@ void add_broken_bounds(std::vector<Broken>& out) {
                             ball(origin, "1000")),
                    reason});
   };
-  // That of all three is at the distance 5 / sqrt 3, all others at sqrt 5 at most.
+  // The control point of all three is at the distance 5 / sqrt 3, and all others at sqrt 5 at most.
   out.push_back({"the control point of three different weight vertices",
                  document("spherical", {{"1", "1", "0", "0"}, {"1", "0", "1", "0"}, {"1", "0", "0", "1"}}, repeated(origin, 3),
                           {piece(units, ball(point("1", "1", "1"), "0"), control)}, ball(origin, "57/20")),
@@ -555,12 +558,12 @@ Checked check_digests() {
   return Checked(lines[0].is_accepted(), long(lines.size()), lines[0].text);
 }
 
-// The same document in other layouts, each with the digest of that layout where it has a place for it.
+// Checks the same document in other layouts, each with the digest of that layout if it has a digest.
 Checked check_layouts() {
   const json good =
       document("linear", {unturned}, {origin}, {piece(one_weight_vertex, ball(origin, "1"), control)}, ball(origin, "1"));
   const std::string text = sealed(good);
-  std::string late = text;  // the keys in another order
+  std::string late = text;  // The keys are in another order.
   const std::string about = " \"about\": \"\",\n";
   late.erase(late.find(about), about.size());
   late.insert(late.find(" \"skinning\""), about);
@@ -577,7 +580,7 @@ Checked check_layouts() {
 
 // --- Work ---
 
-// A number of so many digits, no power of two and different for each seed.
+// Returns a number of so many digits, which is no power of two and different for each seed.
 std::string digits(int count, int seed) {
   std::string out = "9";
   for (int i = 1; i < count; ++i) out += static_cast<char>('1' + (i * i + 7 * seed + i * seed) % 9);
@@ -591,8 +594,8 @@ json with_weight_vertices(const char* skinning, std::size_t m, const json& bound
 
 json halved(int depth) { return depth == 0 ? control : halves(0, 1, halved(depth - 1), halved(depth - 1)); }
 
-// Whoever writes such a certificate says that the checker refuses it, for the same reason and with the same figures, or that it
-// does not.
+// Says whether the writer of such a certificate predicts the checker's refusal, with the same reason and figures, or that there
+// is none.
 bool is_known_to_writer(const std::string& certificate, const oracle::CheckedLine& line, bool is_refused = true) {
   const std::string refusal = refusal_of_certificate(certificate);
   return refusal.empty() ? !is_refused : is_refused && line.text.ends_with(refusal);
@@ -615,7 +618,8 @@ Checked check_work() {
   weights[0] = "1/1" + std::string(390, '0');
   wide["pieces"][0]["weight_vertices"] = repeated(weights, 40);
   list.push_back({"many joints", wide, work});
-  for (const bool is_wide : {true, false}) {  // lists that are walked from their beginning for each place in them
+  // The lists are walked from their beginning for each place in them.
+  for (const bool is_wide : {true, false}) {
     const std::size_t joints = is_wide ? 5000 : 1, places = is_wide ? 1 : 10000, shares = is_wide ? 20 : 50000;
     json walked = with_weight_vertices("linear", places, control);
     json weights = repeated("0", joints);
@@ -649,7 +653,7 @@ Checked check_work() {
                     "{\n \"about\": 0." + std::string(100000, '9') + "\n}\n", "{\n \"about\": 1e400\n}\n",
                     "{\n \"about\": NaN\n}\n", "{\n \"about\": -Infinity\n}\n"};
   for (const std::string& text : texts) folder.add(text);
-  // What nests is much longer in canonical form: 900 spaces for each of 30000 numbers.
+  // A nested text is much longer in canonical form: it has 900 spaces for each of 30000 numbers.
   std::string nested = std::string(900, '[') + "1";
   for (int i = 0; i < 30000; ++i) nested += ",1";
   folder.add("{\"a\":" + nested + std::string(900, ']') + "}\n");
@@ -662,7 +666,7 @@ Checked check_work() {
   std::size_t at = list.size();
   for (std::size_t i = 0; i < texts.size(); ++i, ++at)
     if (!lines[at].is_rejected_for("no integer of at most 9 digits")) return Checked(false, long(at), lines[at].text);
-  // Whoever writes a certificate knows of the same length.
+  // The writer of a certificate knows of the same length.
   const char* const too_long = "the file has more than 16777216 bytes";
   return Checked(lines[at].is_rejected() && lines[at + 1].is_rejected_for(too_long) &&
                      lines[at + 2].is_rejected_for("Expecting value") && refusal_of_length((1 << 24) + 1) == too_long &&
@@ -672,7 +676,7 @@ Checked check_work() {
 
 // --- The edge of what is too much work ---
 
-// The document with a ball far too small, which is seen without work, and denominators whose least common multiple has
+// Returns the document with a ball far too small, which is seen without work, and denominators whose least common multiple has
 // exactly so many bits.
 json with_denominators(json document, int bits) {
   struct Power {
@@ -714,14 +718,16 @@ json of_sizes(const char* skinning, std::size_t joints, const std::vector<Sized>
   return out;
 }
 
-// With 6144 to 6399 bits a unit of work counts as 25^2, so that 800 of them are all that is allowed.
+// Checks the limit of work. With 6144 to 6399 bits a unit of work counts as 25^2, so that 800 units are all that is allowed.
 Checked check_work_edges() {
   const json turned = cap(unturned), reached = reach(unturned, origin);
   const struct {
     const char* skinning;
     std::size_t joints;
-    std::vector<Sized> sizes;  // 800 in all: m n, (m + d - 1 choose d) for each bound, 1 + n for a vertex
-    json least;                // of two units for one joint and weight vertex
+    // The sizes make 800 units in all: m n, (m + d - 1 choose d) for each bound, 1 + n for a vertex.
+    std::vector<Sized> sizes;
+    // This document has two units for one joint and weight vertex.
+    json least;
   } sized[] = {
       {"linear", 1, {{control, 399}}, control},
       {"linear", 9, {{control, 79}}, control},
@@ -738,7 +744,8 @@ Checked check_work_edges() {
   CheckedFolder folder;
   Texts expected;
   const auto add = [&](const json& document, const char* reason) { folder.add(sealed(document)), expected.push_back(reason); };
-  const char *too_much = "too much work", *little = "the ball";  // of a bound is outside, or is smaller
+  // These are parts of two reasons: the ball of a bound is outside, or it is smaller than the reference.
+  const char *too_much = "too much work", *little = "the ball";
   for (const auto& s : sized) {
     const json whole = of_sizes(s.skinning, s.joints, s.sizes);
     auto more = s.sizes;
@@ -753,14 +760,14 @@ Checked check_work_edges() {
       add(changed, too_much);
     }
   }
-  // Vertices of 1 + 2 * 3 units for three shares of two weights; the piece has 2 + 1.
+  // The vertices take 1 + 2 * 3 units for three shares of two weights, and the piece takes 2 + 1.
   json listed = of_sizes("linear", 2, {{control, 1}});
   json vertex = listed["vertices"][0];
   vertex["weight_vertices"] = {0, 0, 0}, vertex["shares"] = {"1", "1", "1"};
-  listed["vertices"] = repeated(vertex, 113);  // 794
+  listed["vertices"] = repeated(vertex, 113);  // The sum is 794 units.
   for (const int more : {1, 2}) {
     vertex["weight_vertices"].erase(0), vertex["shares"].erase(0);
-    listed["vertices"].push_back(vertex);  // of 5 units, then of 3
+    listed["vertices"].push_back(vertex);  // The vertex takes 5 units, then 3.
     add(with_denominators(listed, 6144), more == 1 ? little : too_much);
   }
   const json one = with_weight_vertices("linear", 1, control);
@@ -772,7 +779,7 @@ Checked check_work_edges() {
   return Checked(true, long(lines.size()));
 }
 
-// As many denominators as a file has room for: their least common multiple alone would take minutes.
+// Checks as many denominators as a file has room for. Their least common multiple alone would take minutes.
 Checked check_many_denominators() {
   json many = with_weight_vertices("spherical", 1, control);
   for (int i = 0; i < 12000; ++i) {
@@ -788,7 +795,7 @@ Checked check_many_denominators() {
 
 // --- Names and texts from outside ---
 
-// Each line begins with a verdict, is printable ASCII, and there are as many as files.
+// Says whether each line begins with a verdict and is printable ASCII, and there are as many lines as files.
 bool is_orderly(const oracle::CheckerRun& run, std::size_t files, const std::string& verdict) {
   for (const std::string& line : run.lines) {
     if (!line.starts_with(verdict + ": \"")) return false;
@@ -848,7 +855,7 @@ Checked check_names() {
     texts.add(sealed(changed));
   }
   texts.add(forged), texts.add("{\"" + forged), texts.add("{" + forged);
-  // The digest put there is sealed away, so that this one is accepted.
+  // Sealing overwrites the digest that was put there, so this one is accepted.
   const auto run = oracle::run_checker(texts.path());
   for (const std::string& line : run.lines)
     if (!line.starts_with("rejected: \"") &&

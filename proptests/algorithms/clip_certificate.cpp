@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates of bounds over time: a checker that shares no code with what bakes them accepts each that is true, and rejects what is
-// false of the file, or not proven.
+// Tests certificates of bounds over time. A checker that shares no code with what bakes them accepts each that is true, and
+// rejects what is false of the file, or not proven.
 #include "algorithms/program/clip_certificate.hpp"
 
 #include <cstring>
@@ -31,7 +31,7 @@ namespace {
 using namespace refitlab;
 using nlohmann::json;
 
-// A baked file and its certificate, in a folder of their own.
+// Holds a baked file and its certificate, in a folder of their own.
 class Certified {
  public:
   explicit Certified(const std::string& bytes, const std::string& tolerance = "0.01", const std::string& dop = "14") {
@@ -50,7 +50,7 @@ class Certified {
   std::string baked() const { return folder_.file("out.glb"); }
   std::string text() const { return read_whole(folder_.file("it.json")); }
 
-  // What the checker says of certificates, verdict and reason, in order. file: that they are checked against.
+  // Returns what the checker says of certificates against a file, verdict and reason, in order.
   std::vector<std::string> judged(const std::vector<std::string>& texts, const std::string& file) {
     std::string arguments = "--against " + file;
     for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -79,13 +79,13 @@ class Certified {
     return judged(texts, baked());
   }
 
-  // Against the baked file with other chunks; the certificate is made to name it.
+  // Returns the verdict against the baked file with other chunks. The certificate is made to name that file.
   std::string judged_with(const std::function<void(std::vector<GlbChunk>&)>& change) {
     std::vector<GlbChunk> chunks = read_glb(read_whole(baked()), baked());
     change(chunks);
     return judged_against(glb_of(chunks, "other.glb"));
   }
-  // Against a file of these bytes; the certificate is made to name it.
+  // Returns the verdict against a file of these bytes. The certificate is made to name that file.
   std::string judged_against(const std::string& bytes) {
     const std::string file = folder_.file("other.glb");
     write_whole(file, bytes);
@@ -95,7 +95,8 @@ class Certified {
   }
 
   json document;
-  std::string refusal;  // why the file cannot be baked; empty if it was
+  // This says why the file cannot be baked, and is empty if it was.
+  std::string refusal;
 
  private:
   std::string name(std::size_t i) const { return folder_.file("c" + std::to_string(i) + ".json"); }
@@ -110,11 +111,11 @@ bool is_unreadable_for(const std::string& verdict, const std::string& reason) {
   return verdict.starts_with("unreadable: ") && verdict.find(reason) != std::string::npos;
 }
 
-// Of the first clip.
+// Returns the bound of a part in the first clip.
 json& bound_of(json& document, std::size_t part) { return document["clips"][0]["bounds"][part]; }
 json& intervals_of(json& document) { return bound_of(document, 0)["box_intervals"]; }
 
-// Two intervals one after the other that are parted by nothing but the search; the first of them.
+// Returns the first of two consecutive intervals whose common end is no key, but comes from the search.
 std::size_t halves_in(const json& intervals, const std::vector<double>& keys) {
   for (std::size_t i = 0; i + 1 < intervals.size(); ++i)
     if (std::find(keys.begin(), keys.end(), intervals[i][1].get<double>()) == keys.end()) return i;
@@ -132,7 +133,7 @@ struct Forgery {
 
 void add(json& x, double by) { x = x.get<double>() + by; }
 
-// Of a certificate of a rich file, whose clip "move" has a key at 1 s.
+// Lists forgeries of a certificate of a rich file, whose clip "move" has a key at 1 s.
 std::vector<Forgery> forged_bounds() {
   return {
       {"a box is narrower on one side", "a vertex may leave its box",
@@ -273,7 +274,7 @@ std::vector<Forgery> forgeries() {
   return all;
 }
 
-// The box and the farthest point from a center of what is seen.
+// Holds the box, and the farthest point from a center, of what is seen.
 struct Seen {
   explicit Seen(const json& ball) : center(ball[0], ball[1], ball[2]) {}
   void add(const Eigen::Vector3d& p) {
@@ -285,8 +286,8 @@ struct Seen {
       slabs[k] = {std::min(slabs[k].low, along), std::max(slabs[k].high, along)};
     }
   }
-  // A bound that is cut to leave out something that was seen: a side of the box, from 0 to 5, the ball's radius, or a side of one of
-  // the ten slabs of a 26-DOP.
+  // Returns a bound that is cut to leave out something that was seen: a side of the box, from 0 to 5, the ball's radius, or a
+  // side of one of the ten slabs of a 26-DOP.
   json cut(json bound, int side, double by) const {
     if (side > 6) {
       json& slab = bound["slabs"][(side - 7) / 2];
@@ -304,7 +305,8 @@ struct Seen {
   std::vector<Slab<double>> slabs = std::vector<Slab<double>>(10, {1e300, -1e300});
 };
 
-// Two nodes, one below the other, that turn, move and grow all at once, from one key to the next; a vertex near each, and one by both.
+// Makes two nodes, one below the other, that turn, move and grow at once, from one key to the next, with a vertex near each, and
+// one that both move.
 Model growing_arm() {
   const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
   Model model = gen::model_of_nodes("arm", {{"upper", -1, identity}, {"lower", 0, identity}});
@@ -336,9 +338,9 @@ void replace_all(std::string& bytes, const std::string& from, const std::string&
     bytes.replace(at, from.size(), to);
 }
 
-// What the checker says, compared with what it should.
+// Compares what the checker says with what it should say.
 struct Verdicts {
-  // reason: why it rejects or cannot read; empty if it accepts.
+  // Compares the verdict with the reason for which it should reject or be unable to read, which is empty if it should accept.
   void expect(const std::string& what, const std::string& reason, const std::string& verdict) {
     ++tried;
     if (reason.empty() ? !is_accepted(verdict) : !is_rejected_for(verdict, reason) && !is_unreadable_for(verdict, reason))
@@ -350,7 +352,7 @@ struct Verdicts {
 };
 
 using ChunkChange = std::function<void(std::vector<GlbChunk>&)>;
-// That a certificate is rejected for a reason, or accepted if it is empty, once the file's chunks are changed.
+// Expects a certificate to be rejected for a reason, or accepted if the reason is empty, once the file's chunks are changed.
 using Expect = std::function<void(const std::string& what, const std::string& reason, const ChunkChange&)>;
 
 ChunkChange in_description(const std::function<void(json&)>& change) {
@@ -438,7 +440,7 @@ void change_what_moves(const Expect& expect) {
              if (sampler["interpolation"] == "STEP") sampler["interpolation"] = "LINEAR";
          }));
   expect("a node above the first, which moves nothing", "", in_description([](json& d) {
-           d["scenes"].at(1)["nodes"] = {d["nodes"].size()};  // in place of 0
+           d["scenes"].at(1)["nodes"] = {d["nodes"].size()};  // This replaces node 0.
            d["nodes"].push_back({{"children", {0}}});
          }));
   expect("a channel of no node, which readers ignore", "", in_description([](json& d) {
@@ -462,7 +464,7 @@ void change_what_moves(const Expect& expect) {
              const int count = static_cast<int>(d["nodes"].size());
              d["skins"][0]["joints"][1] = beyond < 0 ? -1 : count + beyond;
            }));
-  // As many are reached from the roots as there are: one twice, and one, below itself, never.
+  // As many nodes are reached from the roots as there are: one is reached twice, and one, which is below itself, never.
   expect("a node below two", "a node is below two", in_description([](json& d) {
            json& nodes = d["nodes"];
            int leaf = -1;
@@ -475,22 +477,22 @@ void change_what_moves(const Expect& expect) {
   expect("an extension of geometry", "which is not read",
          in_description([](json& d) { d["extensionsRequired"].push_back("KHR_draco_mesh_compression"); }));
   expect("the bytes of positions and keys", "part 0", [](std::vector<GlbChunk>& chunks) {
-    // All positions, tangents and offsets that are 1 in a direction.
+    // This changes all numbers that are 1 in positions, tangents and offsets.
     const float one = 1, other = 1.25f;
     replace_all(chunks[1].data, std::string(reinterpret_cast<const char*>(&one), 4),
                 std::string(reinterpret_cast<const char*>(&other), 4));
   });
 }
 
-// The certificate of a random model is accepted; with a bound that leaves out what is seen, or a slack that is too small, it is
-// rejected.
+// Checks that the certificate of a random model is accepted, and rejected with a bound that leaves out what is seen, or with a
+// slack that is too small.
 void check_random_models() {
   gen::AnimatedPlan plan = gen::draw_animated_plan(false);
   plan.targets = 0, plan.vertices = std::max(plan.vertices, 3);
   RC_LOG() << plan;
   RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
   Model made = gen::animated_model(plan);
-  // What a file says of nodes that it moves is no matrix.
+  // A file gives no matrix of nodes that it moves.
   for (const NodeTrack& track : made.clips[0].animation.tracks)
     made.skeleton.nodes[track.node].local = Eigen::Matrix4d::Identity();
   std::string bytes;
@@ -529,7 +531,7 @@ void check_random_models() {
     bound = seen.cut(bound, static_cast<int>(random() % 7), std::max(off, 1e-9 * size));
   }
   const std::size_t cuts = documents.size();
-  // The checker knows splines by the interval, and the angles of other rotations better by 1/3 %.
+  // The checker bounds splines interval by interval, and its angles of other rotations are tighter by 1/3 %.
   json& intervals = intervals_of(certified.document);
   if (json& slack = intervals[random() % intervals.size()][2]; !has_splines(animation) && slack > 1e-6 * size) {
     RC_TAG("slack");
@@ -547,7 +549,7 @@ void check_random_models() {
     RC_TAG("nothing to spare");
     return;
   }
-  // Where most of what is summed up cancels, the checker's rounding may be more than what the bounds allow for.
+  // Where most terms of a sum cancel, the checker's rounding may be more than the bounds allow for.
   if (const bool cancels = plan.far > 0 || plan.away > 0; !cancels || is_accepted(verdicts[0])) {
     RC_TAG("accepted");
     RC_ASSERT(is_accepted(verdicts[0]));
@@ -638,8 +640,9 @@ void what_bounds_are_not_about(Suite& t) {
       });
 }
 
-// A far vertex of the first joint, with a little weight of the second, and a near one of the first joint alone, which a morph target
-// moves far. Bounds that took both for vertices of the same joints would be as if one vertex were both far and moved far.
+// Makes a file with a far vertex of the first joint, which has a little weight of the second, and a near one of the first joint
+// alone, which a morph target moves far. Bounds that took both for vertices of the same joints would be those of one vertex that
+// is both far and moved far.
 std::string file_of_light_weight(float weight) {
   gen::RiggedGltf scene = gen::bending_tube(2);
   gen::GltfMesh& mesh = scene.meshes[0];
@@ -660,12 +663,12 @@ void slacks_of_bounds(Suite& t) {
     std::string wrong;
     long tried = 0;
     for (const bool is_rich : {false, true}) {
-      // (A rotation along a spline is bounded more loosely than the checker does, too.)
+      // (A rotation along a spline is bounded more loosely than the checker bounds it, too.)
       Certified certified(is_rich ? gen::RichGltf(true, true, false).file.binary_file() : gltf_bytes(growing_arm()));
       if (!certified.refusal.empty()) return Checked(false, 1, certified.refusal);
       std::vector<json> documents;
       for (std::size_t part = 0; part < certified.document["parts"].size(); ++part) {
-        // What holds for two morphed meshes is bounded more loosely than the checker does.
+        // The bounds of two morphed meshes together are looser than the checker's.
         if (is_rich && certified.document["parts"][part][0]["kind"] != "cluster") continue;
         for (const char* list : {"box_intervals", "ball_intervals"}) {
           const std::size_t count = bound_of(certified.document, part)[list].size();
@@ -696,7 +699,7 @@ void slacks_of_bounds(Suite& t) {
   });
 }
 
-// A file of one triangle, at the first three of these points, with a morph target for each three others.
+// Makes a file of one triangle, at the first three of these points, with a morph target for each further three.
 std::string file_of_triangle(json node, const std::vector<float>& numbers) {
   std::string bytes(numbers.size() * sizeof(float), '\0');
   std::memcpy(bytes.data(), numbers.data(), bytes.size());
@@ -769,7 +772,8 @@ void certificates_are_of_the_file(Suite& t) {
   t.example("a file's accessors and chunks are read as they are, and refused where they are not whole", {}, [] {
     Certified certified(gen::RichGltf(true, true).file.binary_file());
     Verdicts verdicts;
-    // change: of the description and the accessor of the first primitive's positions, or of the first target's offsets, which is sparse.
+    // change takes the description and the accessor of the first primitive's positions, or of the first target's offsets, which
+    // is sparse.
     const auto with = [&](const char* of, const std::function<void(json&, json&)>& change) {
       return certified.judged_with([&](std::vector<GlbChunk>& chunks) {
         json description = json::parse(chunks[0].data);
@@ -785,7 +789,7 @@ void certificates_are_of_the_file(Suite& t) {
                     }));
     verdicts.expect("positions of two numbers each", "is no VEC3",
                     with("positions", [](json&, json& accessor) { accessor["type"] = "VEC2"; }));
-    // The offsets are of vertices 2 and 5, of 12.
+    // The offsets belong to vertices 2 and 5, of 12.
     const auto with_indices = [&](const char* uri, std::size_t size, int type) {
       return with("offsets", [=](json& d, json& accessor) {
         json& indices = accessor["sparse"]["indices"];
@@ -824,8 +828,8 @@ void certificates_are_of_the_file(Suite& t) {
 void half_turns_intervals_and_what_is_no_certificate(Suite& t) {
   t.example("which way a rotation goes between keys half a turn apart is told exactly, and a bound of the other way is rejected",
             {}, [] {
-              // Either key is a half turn, about x = y or x = -y; their product is the third numbers', less than the rounding of the others'.
-              // Doubles take it for 0, and what is bound is the way to the second key itself.
+              // Each key is a half turn, about x = y or x = -y. Their product is the third number's, less than the rounding of
+              // the others'. Doubles take it for 0, and what is bounded is the way to the second key itself.
               const float third = std::ldexp(1.f, -30), root = std::sqrt(0.5f);
               std::string wrong;
               long tried = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The file of clusters with bounds over time.
+// Tests the file of clusters with bounds over time.
 #include "algorithms/runtime/tree/cluster_bounds.hpp"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ std::string reason_against(const std::string& bytes) {
   return "";
 }
 
-// Each change of good bounds makes them refused, for the reason that belongs to it.
+// Checks that each change of good bounds makes them refused, for the reason that belongs to it.
 Checked spoiled_bounds_are_refused() {
   ClusterBounds good{.dop = 14};
   good.primitives = {{0, 0, 0, 0}}, good.clusters = {{0, {0, 1}}};

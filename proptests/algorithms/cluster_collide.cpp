@@ -33,7 +33,7 @@ ClusterOptions drawn_options() {
           .most_children = *rc::gen::element(2, 3, 9, 32)};
 }
 
-// How many pairs of triangles have boxes that meet: so many come to the test of triangles, whatever bounded them before.
+// Counts pairs of triangles whose boxes meet. So many come to the test of triangles, whatever bounded them before.
 long meeting_boxes(const oracle::Posed& a, const oracle::Posed& b, Skinning skinning) {
   const auto boxes_of = [&](const oracle::Posed& posed) {
     const auto points = posed.vertices(skinning);
@@ -70,8 +70,8 @@ int first_triangle(const ClusterTree& tree, WideNodeChild child) {
   return tree.triangles(child.cluster)[0];
 }
 
-// Triangles beside each other, each of three vertices of its own, in the plane z = 0. joints_of: two of them by vertex, or
-// the same one twice.
+// Makes triangles beside each other, each of three vertices of its own, in the plane z = 0. joints_of gives the two joints of a
+// vertex, or the same one twice.
 template <class JointsOf>
 SkinnedMesh row_of_triangles(int count, int joints, const JointsOf& joints_of) {
   SkinnedMesh m;
@@ -93,7 +93,7 @@ SkinnedMesh row_of_triangles(int count, int joints, const JointsOf& joints_of) {
 
 RigidTransform<double> moved(double x, double y = 0, double z = 0) { return {identity_quaternion<double>(), {x, y, z}}; }
 
-// Two bodies of one man, and his walk.
+// Holds two bodies of one man, and his walk.
 struct TwoMen {
   const AnimatedCharacter man = bake_animated(make_man());
   const ClusterTree tree{man};
@@ -102,7 +102,7 @@ struct TwoMen {
   Pose at(double share) const { return walk.sample(share * walk.duration); }
 };
 
-// How many of some triangles of a row are not found by a triangle that is put upon them, or others are.
+// Counts which of some triangles of a row are not found by a triangle that is put upon them, or are found with others.
 long lost_of_row(const ClusterTree& row, const std::vector<int>& triangles) {
   const auto stamp = bake(row_of_triangles(1, 1, [](int) { return std::pair(0, 0); }));
   const ClusterTree stamp_tree(stamp);
@@ -123,7 +123,8 @@ void pairs_are_those_of_testing_all(Suite& t) {
           {.number_type = "double", .cases = 200, .degenerate_at_least = 0.3}, [] {
             const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
             RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
-            SkinnedMesh other = gen::make_mesh(plan_b);  // in units of its own, which are taken as they are
+            // It has units of its own, which are not converted.
+            SkinnedMesh other = gen::make_mesh(plan_b);
             const double unit = *rc::gen::element(1.0, 1.0, 0.01, 100.0);
             for (Point3& v : other.vertices) v *= unit;
             for (auto& joint : other.joints) joint.origin *= unit;
@@ -175,15 +176,15 @@ void pairs_are_those_of_testing_all(Suite& t) {
           });
 }
 
-// A plan of a mesh of few triangles, where all pairs of them are hard to decide.
+// Draws a plan of a mesh of few triangles, where all pairs of them are hard to decide.
 gen::MeshPlan small_plan() {
   gen::MeshPlan plan = *gen::mesh_plan();
   plan.rings = std::min(plan.rings, 4), plan.sides = std::min(plan.sides, 4);
   return plan;
 }
 
-// One memory for the pairs of three bodies, of two trees, in either order and in frames drawn anew, as no caller should use it: what it
-// remembers is of other bodies, and no pair is lost or found for it.
+// Checks one memory for the pairs of three bodies, of two trees, in either order and in frames drawn anew, as no caller should
+// use it. What it remembers belongs to other bodies, and no pair is lost or found for it.
 void check_memory_of_other_bodies() {
   const gen::MeshPlan plan_a = small_plan(), plan_b = small_plan();
   RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
@@ -220,7 +221,7 @@ void check_memory_of_other_bodies() {
   }
 }
 
-// Placements so far away that sums and differences of their coordinates overflow.
+// Checks placements so far away that sums and differences of their coordinates overflow.
 void check_placements_at_the_end_of_double() {
   const gen::MeshPlan plan = small_plan();
   RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
@@ -276,7 +277,7 @@ void a_needle_touches_where_a_bound_is_attained(Suite& t) {
         for (const Point3& p : points)
           if (sign * p[axis] > sign * tip[axis]) tip = p;
         const int joints = *rc::gen::element(1, 5, 9);
-        // A power of two, so that weights of it add up to it.
+        // The length is a power of two, so that weighted parts of it add up to it.
         const double length = std::exp2(std::max(-990.0, std::round(std::log2(unit)) - *rc::gen::element(0, 30)));
         const auto needle = bake(gen::needle(axis, sign, length, joints));
         const Pose still = reference_pose(needle.mesh);
@@ -294,7 +295,8 @@ void a_needle_touches_where_a_bound_is_attained(Suite& t) {
         RC_LOG() << scene.what;
         QueryCounts counts;
         RC_ASSERT(!expected.empty());
-        const int how = *rc::gen::inRange(0, 3);  // bounded, or rather skinned, or skinned whole
+        // The wide nodes are bounded, or the clusters are skinned instead, or everything is skinned.
+        const int how = *rc::gen::inRange(0, 3);
         if (how == 1) body.skin_rather(), other.skin_rather();
         if (how == 2) body.skin_all(), other.skin_all();
         RC_ASSERT(sorted(collide(body, other, Query::full, counts)) == expected);
@@ -341,7 +343,8 @@ void clusters_and_wide_nodes(Suite& t) {
           {.cases = 100}, [] {
             const auto plan = *gen::mesh_plan();
             const int per_leaf = *rc::gen::element(1, 2, 7, 1000);
-            const auto c = bake(gen::make_mesh(plan), {.triangles_per_leaf = per_leaf, .prune_ratio = 1e9});  // binary
+            // The tree is binary.
+            const auto c = bake(gen::make_mesh(plan), {.triangles_per_leaf = per_leaf, .prune_ratio = 1e9});
             const ClusterOptions options = drawn_options();
             const ClusterTree tree(c, options);
             std::vector<int> seen;
@@ -360,12 +363,14 @@ void clusters_and_wide_nodes(Suite& t) {
             std::sort(seen.begin(), seen.end());
             RC_ASSERT(seen.size() == c.mesh.triangles.size());
             for (std::size_t t = 0; t < seen.size(); ++t) RC_ASSERT(seen[t] == static_cast<int>(t));
-            std::vector<int> place(seen.size());  // by triangle, in the order of the sphere tree
+            // This is the place of each triangle in the order of the sphere tree.
+            std::vector<int> place(seen.size());
             for (std::size_t i = 0; i < place.size(); ++i) place[c.tree.triangle_order[i]] = static_cast<int>(i);
             for (int f = 0; f < static_cast<int>(tree.wide_nodes().size()); ++f) {
               const int children = tree.wide_nodes()[f].child_count;
               RC_ASSERT(children <= options.most_children);
-              for (int i = 1; i < children; ++i)  // so that neighbours are near each other
+              // The children are in the tree's order, so that neighbours are near each other.
+              for (int i = 1; i < children; ++i)
                 RC_ASSERT(place[first_triangle(tree, tree.child(f, i - 1))] < place[first_triangle(tree, tree.child(f, i))]);
               int least = 1 << 30, most = 0;
               bool has_wide_nodes = false;
@@ -376,7 +381,7 @@ void clusters_and_wide_nodes(Suite& t) {
                 RC_ASSERT(tree.child(f, i).wide_node < 0 || (tree.child(f, i).wide_node > f && count > options.most_triangles));
               }
               if (has_wide_nodes) RC_ASSERT(children == options.most_children);
-              RC_ASSERT(most <= 2 * least + 1);  // the largest is opened first, into halves
+              RC_ASSERT(most <= 2 * least + 1);  // The largest is opened first, into halves.
             }
             RC_ASSERT(triangles_below(tree, {-1, 0}) == static_cast<int>(seen.size()));
           });
@@ -407,14 +412,14 @@ void what_is_counted(Suite& t) {
         const Pose still = reference_pose(c.mesh);
         const auto counts_at = [&](double x, Query query, PairMemory* memory) {
           first.begin(still, {}), second.begin(still, moved(x));
-          QueryCounts counts{100, 1000};  // of queries before
+          QueryCounts counts{100, 1000};  // These counts are those of queries before.
           collide(first, second, query, counts, memory);
           return std::pair(counts.ball_tests - 100, counts.triangle_tests - 1000);
         };
         PairMemory memory;
-        // Motion bounds, the first's wide node against the second's whole, the second's; or without motion bounds if a memory says
-        // that they were near, of bodies that are skinned whole because that is less work, too; and then no box at all, but the
-        // clusters that touched.
+        // The boxes that are compared are the motion bounds, the first's wide node with the whole second body, and the second's
+        // wide node. The motion bounds are left out if a memory says that the bodies were near, which are then skinned whole
+        // because that is less work, too. In the end no boxes are compared, but the clusters that touched.
         const std::pair<long, long> touching{3, 1}, apart{1, 0}, near{2, 1}, remembered{0, 1}, met_again{1, 1};
         bool ok = counts_at(0.5, Query::full, nullptr) == touching && counts_at(9, Query::full, nullptr) == apart;
         ok = ok && counts_at(0.5, Query::full, &memory) == touching && memory.are_near;
@@ -424,7 +429,8 @@ void what_is_counted(Suite& t) {
              first.vertices_skinned() == 16 && second.vertices_skinned() == 16;
         ok = ok && counts_at(0.5, Query::yes_no, &memory) == remembered && first.clusters_skinned() == 1 &&
              first.nodes_bounded() == 0;
-        // Apart, and in contact again, as the clusters that touched tell behind the motion bounds.
+        // The bodies are apart, and then in contact again, as the clusters that touched show once the motion bounds have been
+        // compared.
         ok = ok && counts_at(9, Query::yes_no, &memory) == std::pair<long, long>(1, 0) && !memory.are_near;
         ok = ok && counts_at(0.5, Query::yes_no, &memory) == met_again && memory.are_near && first.nodes_bounded() == 0;
         return Checked(ok, 8);
@@ -463,7 +469,8 @@ void when_clusters_are_rather_skinned(Suite& t) {
     const ClusterTree tree(man);
     ClusterBody body(tree, Skinning::spherical);
     long wrong = 0, skinned = 0, frames = 0;
-    for (const bool rather : {false, true, false, true, true, false}) {  // of each frame by itself
+    // The choice holds for each frame by itself.
+    for (const bool rather : {false, true, false, true, true, false}) {
       body.begin(man.clips[0].sample(0.1), {});
       if (rather) body.skin_rather();
       ++frames;
@@ -505,7 +512,7 @@ void when_clusters_are_rather_skinned(Suite& t) {
           }
           for (int c = 0; c < static_cast<int>(tree.clusters().size()); ++c) {
             const Cluster& cluster = tree.clusters()[c];
-            if (has_only_clusters(tree, cluster.place.wide_node)) continue;  // their boxes are there already
+            if (has_only_clusters(tree, cluster.place.wide_node)) continue;  // The boxes of such a node are there already.
             const Box<float> bound = box(cluster.place);
             body.tighten(c);
             wrong += !is_cut(box(cluster.place), bound, body.clusters().cluster(c).box), ++boxes;
@@ -582,7 +589,7 @@ void two_walking_men(Suite& t) {
       a.begin(men.at(0.2), {}), b.begin(men.at(0.7), moved(most.distance));
       QueryCounts counts;
       collide(a, b, Query::full, counts);
-      QueryCounts of_first;  // of a pair, which ends the query
+      QueryCounts of_first;  // This counts one pair, which ends the query.
       const auto first = collide(a, b, Query::yes_no, of_first);
       ok = ok && (first.empty() || 4 * of_first.triangle_tests < counts.triangle_tests);
       const long vertices = a.vertices_skinned() + b.vertices_skinned(), nodes = a.nodes_bounded() + b.nodes_bounded();
@@ -678,11 +685,11 @@ void bodies_that_are_skinned_whole(Suite& t) {
              whole_in_a_row(near) == 32 && !memory.are_entangled() && !at(0.2, near) && a.excess_work() + b.excess_work() < 0;
         ok = ok && !at(0.2, in_place) && at(0.2, in_place) && at(0.2, away) && !memory.are_entangled() && !at(0.2, away) &&
              a.nodes_bounded() == 0;
-        // Clusters that touch again tell nothing of how much work the next query does.
+        // Clusters that touch again do not show how much work the next query does.
         QueryCounts counts;
         ok = ok && !at(0.2, in_place) && memory.are_entangled() && collide(a, b, Query::yes_no, counts, &memory).size() == 1 &&
              !memory.are_entangled();
-        // What was not made for a frame that should have been skinned whole is made where it is asked for, and is the same.
+        // A frame that should have been skinned whole makes what is missing where it is asked for, and that is the same.
         ok = ok && !at(0.2, in_place) && memory.are_entangled();
         a.begin(men.walk.sample(0.1), in_place);
         ClusterBody fresh(men.tree, Skinning::spherical);
@@ -745,8 +752,9 @@ void pairs_that_touch_and_pairs_that_are_remembered(Suite& t) {
              return oracle::has_triangle(men.tree, pair.first, p.first) && oracle::has_triangle(men.tree, pair.second, p.second);
            });
     const std::size_t remembered = kept.size();
-    memory.count_query(0);                       // else they are skinned whole
-    for (const bool was_near : {true, false}) {  // motion bounds are compared again once the bounds have been found apart
+    memory.count_query(0);  // Otherwise they are skinned whole.
+    // Motion bounds are compared again once the bounds have been found apart.
+    for (const bool was_near : {true, false}) {
       a.begin(men.at(0.2), {}), b.begin(men.at(0.7), moved(5));
       ok = ok && memory.are_near == was_near && collide(a, b, Query::full, counts, &memory).empty() &&
            (a.nodes_bounded() > 0) == was_near;
@@ -756,8 +764,8 @@ void pairs_that_touch_and_pairs_that_are_remembered(Suite& t) {
   });
 }
 
-// Slivers beside each other hang over a plane; one of them hangs deeper and through it. What has the plane has a box that all of them
-// reach into.
+// Checks slivers beside each other that hang over a plane, one of which hangs deeper and through it. The plane is in a box into
+// which all of them reach.
 void deepest_boxes_come_first(Suite& t) {
   t.example("a yes/no query looks first where boxes reach deepest into each other, wherever that is in the tree", {}, [] {
     constexpr int slivers = 12;
@@ -811,7 +819,8 @@ void what_is_refused(Suite& t) {
                 a.begin(still, {});
                 ok = ok && is_refused([&] { collide(a, b, Query::full, counts); });
                 PairMemory near;
-                near.are_near = true;  // then the bounds of a body without a frame are asked for within the query
+                // The bounds of a body without a frame are then asked for within the query.
+                near.are_near = true;
                 ok = ok && is_refused([&] { collide(a, b, Query::full, counts, &near); });
                 b.begin(still, {});
                 ok = ok && gen::refuses<std::invalid_argument>([&] { collide(a, a, Query::full, counts); });

@@ -30,7 +30,7 @@ std::vector<TrianglePair> pairs_of(SkinnedClusters& a, SkinnedClusters& b, Query
   for (int i = 0; i < static_cast<int>(a.tree().clusters().size()); ++i)
     for (int j = 0; j < static_cast<int>(b.tree().clusters().size()); ++j) pairs.add(i, j);
   pairs.decide();
-  // Each pair found is of clusters that are listed, and each of these has one.
+  // Each pair found belongs to clusters that are listed, and each of these has one.
   const auto is_of = [&](const TrianglePair& p) {
     return [&](const ClusterPair& c) {
       return oracle::has_triangle(a.tree(), c.first, p.first) && oracle::has_triangle(b.tree(), c.second, p.second);
@@ -42,8 +42,8 @@ std::vector<TrianglePair> pairs_of(SkinnedClusters& a, SkinnedClusters& b, Query
   return sorted(pairs.found());
 }
 
-// Of each pair of clusters by itself: a yes/no query ends with some of the expected pairs if there is one, and without any else. The
-// clusters are listed as touching exactly if there is one.
+// Checks each pair of clusters by itself: a yes/no query ends with some of the expected pairs if there is one, and with no other.
+// The clusters are listed as touching exactly if there is one.
 void check_clusters_one_by_one(SkinnedClusters& a, SkinnedClusters& b, const std::vector<TrianglePair>& expected) {
   ClusterPairScratch scratch;
   for (int i = 0; i < static_cast<int>(a.tree().clusters().size()); ++i)
@@ -69,10 +69,10 @@ void check_clusters_one_by_one(SkinnedClusters& a, SkinnedClusters& b, const std
     }
 }
 
-// By which candidates are moved.
+// Candidates are moved by this offset.
 constexpr float offset[] = {0.25f, -0.5f, 1};
 
-// Triangles of few vertices, and a box; some coordinates are on a side of the box, and some are no numbers.
+// Draws triangles of few vertices, and a box. Some coordinates are on a side of the box, and some are no numbers.
 struct DrawnTriangles {
   DrawnTriangles() {
     std::mt19937 random(*rc::gen::arbitrary<unsigned>());
@@ -100,7 +100,7 @@ struct DrawnTriangles {
   const float* xyz() const { return blocks.data()->lane.data(); }
   ClusterTriangles triangles() const { return {count, {vertex[0].data(), vertex[1].data(), vertex[2].data()}}; }
   float at(int t, int corner, int i) const { return xyz()[i * places + vertex[corner][t]]; }
-  // Of the k-th triangle that is expected.
+  // Returns a coordinate of a corner of the k-th triangle that is expected, moved.
   float moved(int k, int corner, int i) const { return at(expected[k], corner, i) + offset[i]; }
   std::pair<float, float> side(int k, int i) const { return std::minmax({moved(k, 0, i), moved(k, 1, i), moved(k, 2, i)}); }
 
@@ -108,10 +108,11 @@ struct DrawnTriangles {
   std::vector<Lanes<float>> blocks;
   std::vector<std::uint16_t> vertex[3];
   Box<float> box;
-  std::vector<int> expected;  // those that are not apart from the box for certain
+  // These triangles are not certainly apart from the box.
+  std::vector<int> expected;
 };
 
-// That candidates, and the box of all, are where they should be. False if one has a coordinate that is no number.
+// Asserts that candidates, and the box of all, are where they should be. Returns false if one has a coordinate that is no number.
 bool are_numbers_in_place(const DrawnTriangles& drawn, int found, const CandidateArrays& out, const Box<float>& all) {
   bool has_nan = false;
   for (int k = 0; k < found; ++k)
@@ -132,7 +133,7 @@ bool are_numbers_in_place(const DrawnTriangles& drawn, int found, const Candidat
   return true;
 }
 
-// That a smaller box leaves the candidates that meet it. Returns their number.
+// Asserts that a smaller box leaves the candidates that meet it. Returns their number.
 int check_kept(const DrawnTriangles& drawn, const ClusterPairKernels& kernels, int found, const CandidateArrays& out) {
   Box<float> part = drawn.box;
   for (int i = 0; i < 3; ++i) part.low[i] += offset[i] + 0.1f, part.high[i] += offset[i] - 0.1f;
@@ -153,7 +154,7 @@ int check_kept(const DrawnTriangles& drawn, const ClusterPairKernels& kernels, i
   return left;
 }
 
-// All with all of themselves, in one part or from the second block on.
+// Checks all candidates against all of themselves, in one part or from the second block on.
 void check_meeting(const ClusterPairKernels& kernels, int left, const CandidateArrays& out) {
   const float margin = 0.05f;
   std::vector<std::int32_t> first(left * left + 16), second(left * left + 16);
@@ -243,7 +244,7 @@ void pairs_are_those_of_all_triangles(Suite& t) {
           });
 }
 
-// Squares of two triangles each in the plane z = 0, row by row.
+// Makes squares of two triangles each in the plane z = 0, row by row.
 SkinnedMesh flat_grid(int side) {
   SkinnedMesh m;
   m.name = "grid";
@@ -261,7 +262,8 @@ SkinnedMesh flat_grid(int side) {
   return m;
 }
 
-// The pairs of a grid and itself, moved by less than a square each way: only squares that are near each other are looked at.
+// Returns the pairs of a grid and itself, moved by less than a square along each axis. Only squares that are near each other are
+// looked at.
 std::vector<TrianglePair> pairs_of_grid(const SkinnedMesh& grid, int side, const Point3& by) {
   std::vector<TrianglePair> out;
   const auto points = [&](int t, const Point3& moved) {
@@ -368,7 +370,7 @@ PROPTEST(cluster_pairs) {
             const auto arrays = [](Candidates& c) {
               return CandidateArrays{nullptr, nullptr, {}, c.vertices.data()->lane.data()};
             };
-            // Rounding to float is off by another 2^-24 of the size.
+            // Rounding to float adds an error of 2^-24 of the size.
             const auto of_floats = static_cast<float>(slack + unit * 1.5 * 0x1p-24);
             for (const Target target : available_targets()) {
               int meets = 0, unknowns = 0;

@@ -34,12 +34,12 @@ const RefitVariant& drawn_variant() {
   return *sound[*rc::gen::inRange<std::size_t>(0, sound.size())];
 }
 
-// A refit that is wrong on purpose.
+// This refit is wrong on purpose.
 Ball3<double> undefined(const RefitNode<double>&) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   return {{nan, nan, nan}, nan};
 }
-// A triangle whose smallest ball has the edge from (0, 0, 0) to (2, 0, 0) as a diameter.
+// Makes a triangle whose smallest ball has the edge from (0, 0, 0) to (2, 0, 0) as a diameter.
 SkinnedMesh lone_triangle() {
   SkinnedMesh m;
   m.name = "triangle";
@@ -50,14 +50,14 @@ SkinnedMesh lone_triangle() {
   return m;
 }
 
-// How many balls were refitted in this frame.
+// Counts the balls that were refitted in this frame.
 long balls_of(const Body& body) {
   long balls = 0;
   for (const long level : body.refits().refitted_by_level()) balls += level;
   return balls;
 }
 
-// What collide says of two men, and what it looked at.
+// Holds what collide says of two men, and what it looked at.
 struct Men {
   std::size_t pairs;
   long ball_tests, vertices, balls;
@@ -130,7 +130,8 @@ void triangles_that_touch_where_balls_do(Suite& t) {
             const RigidTransform<double> first = gen::accepted_placement(random, most);
             RigidTransform<double> second = first;
             if (*rc::gen::arbitrary<bool>()) second.rotation.normalize();
-            second.translation = apply(first, Point3(2, 0, 0));  // so that its vertex at the origin is the first one's other
+            // Its vertex at the origin is then the first triangle's other vertex of the edge.
+            second.translation = apply(first, Point3(2, 0, 0));
             QueryCounts counts;
             RC_ASSERT(collide({body, first}, {body, second}, Query::full, counts).size() == 1);
             RC_ASSERT(collide({body, second}, {body, first}, Query::full, counts).size() == 1);
@@ -210,7 +211,7 @@ void balls_that_are_apart_cost_one_test(Suite& t) {
       });
 }
 
-// A plan of a mesh of few triangles, where all pairs of them are hard to decide.
+// Draws a plan of a mesh of few triangles, where all pairs of them are hard to decide.
 gen::MeshPlan small_plan() {
   gen::MeshPlan plan = *gen::mesh_plan();
   plan.rings = std::min(plan.rings, 3), plan.sides = std::min(plan.sides, 4);
@@ -253,7 +254,7 @@ std::string refused_frame(Body& body, Random& random) {
   return "";
 }
 
-// A body in frames that are refused in between, against one that never saw them.
+// Checks a body in frames that are refused in between, against one that never saw them.
 void check_frames_after_refused_ones() {
   const auto plan = *gen::mesh_plan();
   RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
@@ -284,7 +285,7 @@ void check_frames_after_refused_ones() {
   }
 }
 
-// Vertices in double are alike there, or as far apart as numbers can be.
+// Checks vertices that are equal in double there, or as far apart as numbers can be.
 void check_placements_at_the_end_of_double() {
   const gen::MeshPlan plan = small_plan();
   RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Common points: triangles that meet have one, and all others have a plane between them, both to the last digit.
+// Tests common points: triangles that meet have one, and all others have a plane between them, both exactly.
 #include "algorithms/certificate/common_point.hpp"
 
 #include "proptests/gen/posed_bodies.hpp"

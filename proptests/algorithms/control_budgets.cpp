@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The budgets of rounding of control balls and of affine joints: that the rates of palette_rounding.hpp are at least what the refits'
-// own templates can lose. As float_budgets.cpp, in u of any type: terms of higher order are those of float.
+// Tests the budgets of rounding of control balls and of affine joints: the rates of palette_rounding.hpp are at least what the
+// refits' own templates can lose. It works as float_budgets.cpp does, in u of any type; terms of higher order are those of float.
 #include "algorithms/runtime/refit/dual_quaternion.hpp"
 #include "algorithms/runtime/refit/linear.hpp"
 #include "algorithms/runtime/skinning/palette_rounding.hpp"
@@ -21,18 +21,20 @@ using oracle::of_length;
 using oracle::rounded_scales;
 using oracle::whole;
 constexpr double u = Budget::u, u_double = 0x1p-53;
-constexpr double tiny = 1e-30;  // in place of 0, with which sums would be exact
+// This stands in place of 0, with which sums would be exact.
+constexpr double tiny = 1e-30;
 constexpr int numbers_of_joints[] = {1, 2, 3, 4, 8, 64};
 
 // --- What both kinds of rates have ---
 
-// What control balls may lose beside the skinned vertices that they hold, per length and per offset.
+// Returns what control balls may lose beside the skinned vertices that they hold, per length and per offset.
 template <class S>
 RoundingRates<S> of_control_balls(const PaletteRounding<S>& r) {
   const RoundingRates<S>&whole = r.weight_vertices, &vertex = r.vertex;
   return {whole.per_length - vertex.per_length, whole.per_radius - vertex.per_radius, whole.offset - vertex.offset};
 }
-// The error of a weight vertex in units of u, of its quaternion or its center image: of a blend, and of middles of middles.
+// Returns the error of a weight vertex in units of u, of its quaternion or its center image: that of a blend, and of middles of
+// middles.
 template <int D>
 double error_of_weight_vertex(int joints) {
   Vec<Budget, D> v = of_length<0, D>(1, error_of_blend<D>(joints, 0) * u);
@@ -42,16 +44,16 @@ double error_of_weight_vertex(int joints) {
 
 // --- Spherical blending and dual quaternions ---
 
-// The greatest error of a control point N / D of near weight vertices, in u. N, D and their errors are sums over pairs of weight
-// vertices, linear in the product s of the pair's lengths and in W_kl, which is between s / sqrt(near) and s. Of quotients of such
-// sums, and of products of two, each factor is greatest if one pair is all of it. So the others have an s of next to nothing here, a
-// power of two, by which products are exact; or none has.
+// Returns the greatest error of a control point N / D of near weight vertices, in u. N, D and their errors are sums over pairs of
+// weight vertices, linear in the product s of the pair's lengths and in W_kl, which is between s / sqrt(near) and s. Of quotients
+// of such sums, and of products of two, each factor is greatest if one pair is all of it. So the others have an s of next to
+// nothing here, a power of two, by which products are exact; or none has.
 template <class Piece, class WeightVertex = typename Piece::WeightVertex>
 double error_of_control_points(const Piece& piece, const WeightVertex& weight_vertex) {
   constexpr std::size_t m = 3;
   const std::vector<WeightVertex> weight_vertices(m, weight_vertex);
   double worst = 0;
-  for (double least = 1 / std::sqrt(Piece::near) - 128 * u; least < 1; least *= 1.01)  // as computed
+  for (double least = 1 / std::sqrt(Piece::near) - 128 * u; least < 1; least *= 1.01)  // This is the bound as computed.
     for (std::size_t only = 0; only <= m * m; ++only) {
       ControlLists<Budget> lists;
       for (std::size_t k = 0; k < m; ++k)
@@ -70,14 +72,14 @@ double error_of_spherical_points(double x, double image) {
   const SphericalPiece<Budget> piece(of_length<0, 3>(x), Budget(tiny));
   return error_of_control_points(piece, {of_length<0, 4>(1), of_length<0, 3>(image)});
 }
-// Of duals of half the translation's length.
+// Returns the error where the duals have half the translation's length.
 double error_of_dual_points(double p, double translation) {
   const DualQuaternionPiece<Budget> piece(of_length<0, 3>(p), Budget(tiny));
   return error_of_control_points(piece, {of_length<0, 4>(1), of_length<0, 4>(translation / 2)});
 }
 
-// For joint-sets of any kappa that a blend in float may have; in double it is greater, and terms of higher order less. The hull of
-// what is made of weight vertices, x and centers as computed holds the blends of these. So their errors count once, as in
+// Checks joint-sets of any kappa that a blend in float may have; in double it may be greater, and terms of higher order less. The
+// hull of what is computed of weight vertices, x and centers holds the blends of these. So their errors count once, as in
 // b8_blend_error.
 Checked check_control_balls() {
   DerivedBudgets budgets;
@@ -107,7 +109,8 @@ Checked check_control_balls() {
   return budgets.checked();
 }
 
-// What does not grow with kappa and joints is what was derived, or less than a unit more. The vertices' own blends add nothing here.
+// Checks that rates which do not grow with kappa and joints are what was derived, or less than a unit more. The vertices' own
+// blends add nothing here.
 Checked check_constants() {
   DerivedBudgets budgets;
   const auto add = [&](const char* what, double derived, double rate) {
@@ -122,8 +125,8 @@ Checked check_constants() {
   return budgets.checked();
 }
 
-// The ball that dual quaternions fall back on, for the shortest weight vertices and the least cosine that it takes. The number of joints
-// is one that no asset has.
+// Checks the ball that dual quaternions fall back on, for the shortest weight vertices and the least cosine that it accepts. The
+// greatest number of joints is one that no asset has.
 Checked check_fallback() {
   DerivedBudgets budgets;
   const double least = least_fallback_cosine * least_fallback_length;
@@ -134,7 +137,7 @@ Checked check_fallback() {
       const BlendedDuals<Budget> weight_vertex{q, of_length<0, 4>(t / 2, t / 2 * of_weight_vertex)};
       return whole(reach_of(weight_vertex, Vec<Budget, 3>(of_length<0, 3>(p)), Vec<Budget, 3>(of_length<0, 3>(f)))).in_u();
     };
-    // ||E|| ||a|| / (q, a), relative to itself.
+    // This is the error of ||E|| ||a|| / (q, a), relative to itself.
     const Budget square(1, squared_norm(Quaternion<Budget>(of_length<0, 4>(1))).error, 1), exact(1, 0, 1);
     const double of_quotient = root(Budget(square / sq(exact) * square)).in_u();
     const double of_cosine = dot(q, Quaternion<Budget>(of_length<0, 4>(1))).in_u();
@@ -152,8 +155,8 @@ Checked check_fallback() {
 
 // --- Linear blending ---
 
-// The error of an image under a map whose matrix has a Frobenius norm of 1, and an offset of this length. It is linear in the products
-// of a column's length and a coordinate, which add up to at most ||p||: so it is greatest where one of them is all.
+// Returns the error of an image under a map whose matrix has a Frobenius norm of 1, and an offset of this length. It is linear in
+// the products of a column's length and a coordinate, which add up to at most ||p||: so it is greatest where one of them is all.
 double error_of_affine_image(double point, double offset) {
   double worst = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -166,7 +169,8 @@ double error_of_affine_image(double point, double offset) {
   return worst;
 }
 
-// s^2 of all columns whose squared lengths add up to 1. It is at least the greatest eigenvalue of A^T A, and so at least 1/3.
+// Returns s^2 for all columns whose squared lengths add up to 1. It is at least the greatest eigenvalue of A^T A, and so at least
+// 1/3.
 Budget squared_stretch_of_unit() {
   constexpr int cells = 64;
   Budget out(0, 0, 1. / 3);
@@ -185,10 +189,10 @@ Budget squared_stretch_of_unit() {
 Checked check_linear() {
   DerivedBudgets budgets;
   const double of_point = error_of_affine_image(1, tiny), of_offset = error_of_affine_image(tiny, 1);
-  // What is computed of a matrix of Frobenius norm 1, in u; and times the radius.
+  // These are computed of a matrix of Frobenius norm 1, in u, and multiplied by the radius.
   const Budget squared = squared_stretch_of_unit(), radius(1, 0, 0), stretched = root(squared) * radius;
   const double greatest = std::sqrt(squared.most), own = root(squared).in_u() / std::sqrt(squared.least);
-  // The factor of a joint is rounded up, and so by more than a blend of factors may lose.
+  // The factor of a joint is rounded up by more than a blend of factors may lose.
   const double raised = (stretch_of(identity_map<double>()) - 1) / u_double - own;
   const Budget of_factor = root(sq(Budget(1, 0, 1 - 1e-9))) * radius;
   // The blend of no joints adds nothing.
@@ -207,7 +211,7 @@ Checked check_linear() {
     budgets.add(joints + "per F |p|", error_of_blend<3>(n, of_point * u), rounding.vertex.per_length / u_double);
     budgets.add(joints + "per |t|", error_of_blend<3>(n, of_offset * u), rounding.vertex.offset / u_double);
     budgets.add(joints + "per F r, of the blended matrix", of_blend + stretched.in_u(), more.per_radius / u_double);
-    // However many joints there are.
+    // This holds for any number of joints.
     const double of_factors = greatest * (16 * of_blend + of_factor.in_u() - raised);
     budgets.add(joints + "times 16, per F r, of blended factors", std::max(1., of_factors),
                 rounding_affine(rounded_scales(16 * n, 1, 0, 0, 1)).weight_vertices.per_radius / u_double);

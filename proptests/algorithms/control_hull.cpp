@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The control balls hold every vertex: exactly, in rationals, where no root is needed, and by intervals on the
+// Tests that the control balls hold every vertex: exactly, in rationals, where no root is needed, and by intervals on the
 // fallback.
 #include "algorithms/runtime/refit/control_hull.hpp"
 
@@ -27,7 +27,7 @@ void assert_holds(const RefitCase& c, const std::vector<Ball3<S>>& balls, Verdic
   oracle::assert_holds<SphericalHull, S>(c, balls, at_least);
 }
 
-// A joint-set by hand: rotations about the origin without translation, and weight vertices.
+// Makes a joint-set by hand: rotations about the origin without translation, and weight vertices.
 RefitCase by_hand(const std::vector<gen::RationalQuaternion>& rotations,
                   const std::vector<std::vector<Rational>>& weight_vertices) {
   gen::SetCase set;
@@ -43,7 +43,7 @@ std::vector<std::vector<Rational>> whole_simplex(std::size_t n) {
   return rows;
 }
 
-// Every vertex that moves by blends of the weight vertices at multiples of 1/8, in double.
+// Says whether the balls hold every vertex that moves by blends of the weight vertices at multiples of 1/8, in double.
 bool holds_on_a_grid(const RefitCase& c) {
   const auto balls = balls_of<double>(c);
   for (const auto& b : balls)
@@ -61,7 +61,7 @@ bool holds_on_a_grid(const RefitCase& c) {
     const Point3 d = direction_away(balls, v);
     double reach = -1e300;
     for (const auto& b : balls) reach = std::max(reach, (b.center - v).dot(d) + b.radius * d.norm());
-    all = all && reach >= node.reference.radius * d.norm() - 1e-9;  // with all of the reference ball
+    all = all && reach >= node.reference.radius * d.norm() - 1e-9;  // All of the reference ball must be inside.
   });
   return all;
 }

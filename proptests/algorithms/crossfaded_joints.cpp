@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joints and vertices in a crossfade of two animations.
+// Tests joints and vertices in a crossfade of two animations.
 #include "algorithms/bake/over_time/crossfaded_joints.hpp"
 
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 using namespace refitlab;
 using M = MultiprecisionInterval;
 
-// A model, and two animations of it.
+// Holds a model and two animations of it.
 struct Fade {
   gen::AnimatedPlan plan;
   Skinning skinning;
@@ -51,7 +51,7 @@ struct Fade {
   }
 };
 
-// All vertices at a moment; nothing where the moment is ambiguous.
+// Returns all vertices at a moment, or nothing where the moment is ambiguous.
 std::optional<std::vector<Vec<M, 3>>> skinned(oracle::AnimatedSkin<M>& skin, const Fade& fade, const ParameterMoment& moment) {
   const auto& c = moment.coordinates;
   try {
@@ -69,7 +69,7 @@ bool is_farther(const Vec<M, 3>& a, const Vec<M, 3>& b, double distance) {
   return less_equal(squared_distance<M, 3>(a, b), M(sq(M(distance)))) == Verdict::fails;
 }
 
-// A box among those that a search could come to: halved again and again, by signs where it is not known.
+// Returns a box among those that a search could reach: it is halved again and again, by signs where the slack is unknown.
 ParameterBox some_box(const CrossfadedJoints& joints, const MovingVertices& moving, std::mt19937& random) {
   ParameterBox box = joints.boxes()[0];
   const int halvings = static_cast<int>(random() % 30);
@@ -102,7 +102,7 @@ Verdict is_inside(const BoundOverTime& bound, std::span<const Point3> directions
   return v;
 }
 
-// A joint at the origin that both clips hold still, at these angles about z (degrees), and a vertex on the x axis at 1.
+// Makes a joint at the origin that both clips hold still, at these angles about z (degrees), and a vertex on the x axis at 1.
 struct Hinge {
   Model model;
   Animation first, second;
@@ -129,14 +129,15 @@ struct Hinge {
   }
 };
 
-// How much wider slabs are than what is seen of a crossfade between a smooth clip and one that is off by about a radian.
+// Says how much wider slabs are than what is seen of a crossfade between a smooth clip and one that is off by about a radian.
 struct Closeness {
-  bool hardly_moves;  // vertices go less far than 1 % of what some joint of theirs goes
-  double excess;      // the most by which a slab is wider than it may be
+  // Vertices move by less than 1 % of what some joint of theirs moves.
+  bool hardly_moves;
+  double excess;  // This is the most by which a slab is wider than it may be.
 };
 Closeness closeness(const gen::AnimatedPlan& plan, RotationBlend blend) {
   Fade fade(plan, Skinning::linear, blend);
-  // Near a half turn both ways are bounded, and one is seen.
+  // Near a half turn both ways are bounded, but one is seen.
   fade.second = fade.first;
   for (NodeTrack& track : fade.second.tracks) {
     const Eigen::Quaterniond by(Eigen::AngleAxisd(1, Eigen::Vector3d(0.36, 0.48, 0.8)));
@@ -167,7 +168,8 @@ Closeness closeness(const gen::AnimatedPlan& plan, RotationBlend blend) {
             .first->second.merge((posed->matrices[by.joint] * fade.model.vertices[v].homogeneous()).head<3>());
     }
   }
-  double farthest = 0;  // that a joint alone moves a vertex
+  // The joint that moves a vertex farthest by itself moves it so far.
+  double farthest = 0;
   for (const auto& [of, box] : images) farthest = std::max(farthest, box.edges().maxCoeff());
   const double longest = seen.edges().maxCoeff();
   const bool hardly_moves = longest < 0.01 * farthest;
@@ -221,7 +223,7 @@ void crossfades_are_bounded_and_hardly_more(Suite& t) {
   t.holds("of clips that do not turn nodes far apart, the bound is little larger than what is seen in a crossfade",
           {.number_type = "double", .cases = 30, .degenerate_at_most = 0.9}, [] {
             auto plan = gen::draw_smooth_plan(false);
-            plan.root_scale = 1;  // what cancels is bounded by what it is made of
+            plan.root_scale = 1;  // The bound of a sum is that of its terms, even if they cancel.
             const auto blend = *rc::gen::element(RotationBlend::slerp, RotationBlend::nlerp);
             RC_LOG() << plan << (blend == RotationBlend::slerp ? " slerp" : " nlerp");
             RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
@@ -230,7 +232,8 @@ void crossfades_are_bounded_and_hardly_more(Suite& t) {
             RC_ASSERT(excess <= 0);
           });
   t.example("what a joint of the least share moves is bounded by the way of that joint, as closely as 65536 cells can", {}, [] {
-    gen::AnimatedPlan plan;  // all of a vertex stays where it is, but 2e-6 of it, which go 5 units
+    // All of the vertex's weight stays where it is, but 2e-6 of it, which moves by 5 units.
+    gen::AnimatedPlan plan;
     plan.nodes = plan.joints = 4, plan.vertices = 1, plan.smooth = plan.cubic = true, plan.seed = 674693182;
     const auto [hardly_moves, excess] = closeness(plan, RotationBlend::slerp);
     return Checked(hardly_moves && excess <= 0, 1, std::to_string(excess));
@@ -261,7 +264,8 @@ void what_is_near_half_a_turn(Suite& t) {
   t.example("where a renderer in float may see the other sign of the rotations' cosine, both ways are bounded", {}, [] {
     long tried = 0;
     for (const RotationBlend blend : {RotationBlend::slerp, RotationBlend::nlerp})
-      for (const double beside : {-1e-4, -1e-6, 1e-12, 1e-6, 1e-4}) {  // degrees: a cosine of 9e-7 at most
+      // The angles are in degrees, and the cosine is 9e-7 at most.
+      for (const double beside : {-1e-4, -1e-6, 1e-12, 1e-6, 1e-4}) {
         const BoundOverTime bound = Hinge(-90, 90 + beside).bound(blend);
         ++tried;
         if (!(bound.slabs[0].low <= -1 && bound.slabs[0].high >= 1))
@@ -287,7 +291,7 @@ void what_is_near_half_a_turn(Suite& t) {
                 ? told.size() == 1 && told[0].find("clip 'turns', joint 'node', keys 1 and 2: are half a turn apart") == 0
                 : told.empty();
         if (!is_right) return Checked(false, tried, std::to_string(degrees));
-        rotations.keys = {{0.5, turned(20)}, {0.5, turned(20 + degrees)}};  // a jump
+        rotations.keys = {{0.5, turned(20)}, {0.5, turned(20 + degrees)}};  // The clip jumps.
         hinge.model.clips = {{"turns", 1, {}, clip}};
         if (!half_turns(hinge.model).empty()) return Checked(false, tried, "a jump");
       }
@@ -295,7 +299,7 @@ void what_is_near_half_a_turn(Suite& t) {
   });
 }
 
-// All parts of such a clip are looked at, one by one.
+// Checks that all parts of such a clip are looked at, one by one.
 Checked check_many_jumps() {
   long tried = 0;
   for (const int keys : {2, 40, 2500})
@@ -304,7 +308,7 @@ Checked check_many_jumps() {
       auto& positions = (is_second ? hinge.second : hinge.first).tracks[0].positions;
       positions = {{}, Interpolation::step, {}};
       Box<double> seen = Box<double>::empty();
-      seen.merge(Point3(1, 0, 0));  // where the other clip has the vertex
+      seen.merge(Point3(1, 0, 0));  // The other clip has the vertex there.
       for (int k = 0; k < keys; ++k) {
         positions.keys.push_back({k / static_cast<double>(keys), {2 * std::cos(3 * k), std::sin(5 * k), 0}});
         seen.merge(Point3(Point3(1, 0, 0) + positions.keys.back().value));
@@ -341,8 +345,8 @@ void clips_that_jump(Suite& t) {
         const BoundOverTime bound =
             bound_over_time(all, MovingVertices(hinge.model, sets, Skinning::linear, {0}), {.tolerance = 0.2});
         ++tried;
-        if (!(bound.slabs[0].high >= 1))  // half-way between 89 degrees and -89 the vertex is at x = 1
-          return Checked(false, tried, std::to_string(bound.slabs[0].high));
+        // Half-way between 89 degrees and -89 the vertex is at x = 1.
+        if (!(bound.slabs[0].high >= 1)) return Checked(false, tried, std::to_string(bound.slabs[0].high));
       }
     return Checked(true, tried);
   });
@@ -400,7 +404,7 @@ void hands_half_way_between_clips(Suite& t) {
   });
 }
 
-// The matrices shear, are flat, or mirror along an axis that may be any of three, unless the file says which.
+// Checks matrices that shear, are flat, or mirror along an axis that may be any of three, unless the file says which.
 Checked check_matrices_without_parts() {
   const Eigen::Quaterniond turn = Hinge::turned(40);
   Eigen::Matrix3d shear = Eigen::Matrix3d::Identity();
@@ -438,7 +442,8 @@ Checked check_matrices_without_parts() {
   return Checked(true, tried);
 }
 
-// Between two such scales the joint is flat, however little each of them differs from a rigid one.
+// Checks scales of which one vanishes or changes its sign. Between these the joint is flat, however little each of them differs
+// from a rigid one.
 Checked check_scales_that_change_their_signs() {
   const auto scale_of = [](int digits) { return Eigen::Vector3d(digits % 3 - 1, digits / 3 % 3 - 1, digits / 9 - 1); };
   for (int from = 0; from < 27; ++from)
@@ -494,7 +499,7 @@ void what_each_clip_moves(Suite& t) {
     hinge.model.skeleton.nodes[0].local(0, 3) = 3;  // at rest
     const BoundOverTime bound = hinge.bound(RotationBlend::slerp);
     bool good = bound.slabs[0].high >= 4 && bound.slabs[0].low <= 0.5 && bound.slabs[0].high < 4.1;
-    // Others would make the same matrix.
+    // Other parts would make the same matrix.
     hinge.model.skeleton.nodes[0].rest = NodeTransform{{0, 0, 0}, {-1, -1, 1}, Eigen::Quaterniond(0, 0, 0, 1)};
     hinge.model.skeleton.nodes[0].local = Eigen::Matrix4d::Identity();
     const BoundOverTime by_parts = hinge.bound(RotationBlend::slerp);
@@ -514,7 +519,7 @@ void what_each_clip_moves(Suite& t) {
   });
 }
 
-// While one clip fades to the other, each morph weight moves at most as fast as the cell says.
+// Checks that, while one clip fades to the other, each morph weight moves at most as fast as the cell says.
 void check_speeds_of_weights() {
   const Fade fade = Fade::draw(*rc::gen::inRange(0, 3) == 0);
   RC_CLASSIFY(gen::is_degenerate(fade.plan), "degenerate");
@@ -562,7 +567,7 @@ void weights_that_fade_and_ranges_without_halves(Suite& t) {
     const CrossfadedJoints joints = hinge.joints(RotationBlend::slerp, false);
     long wrong = 0;
     for (const std::size_t parameter : {0, 1, 2})
-      for (const double start : {0.5, 0.5 + 0x1p-53}) {  // of an even and of an odd last digit
+      for (const double start : {0.5, 0.5 + 0x1p-53}) {  // The last digit is even, then odd.
         ParameterBox box = joints.boxes()[0];
         box.ranges[parameter].start = start, box.ranges[parameter].end = start + 0x1p-53;
         wrong += !joints.halves(box, parameter, true).empty();
@@ -588,7 +593,7 @@ std::vector<ParameterRange> single_parts(const FadingClip& clip) {
   return parts;
 }
 
-// What does not move bends nowhere.
+// Says whether one motion's bounds cover another's. What does not move bends nowhere.
 bool covers(const Motion<double>& several, const Motion<double>& one) {
   return several.size >= one.size && several.speed >= one.speed &&
          (several.acceleration >= one.acceleration || several.speed == 0);
@@ -606,7 +611,7 @@ bool covers(const FadingClip::Motions& several, const FadingClip::Motions& one) 
   return good;
 }
 
-// Nothing goes farther from one moment of a clip to another than its speed allows, but for rounding.
+// Says whether nothing moves farther from one moment of a clip to another than its speed allows, but for rounding.
 bool goes_as_far(const FadingClip& clip, const FadingClip::Motions& motions, const ParameterRange& from,
                  const ParameterRange& to) {
   const double length = to.end - from.start;
@@ -661,7 +666,7 @@ void check_motions_of_several_parts() {
   if (is_rounded_more) RC_TAG("a later part is rounded more");
 }
 
-// The corners of a cell at which the parameter has this value.
+// Returns the corners of a cell at which the parameter has this value.
 std::set<ParameterMoment> corners_at(const JointCell& cell, std::size_t parameter, double value) {
   std::set<ParameterMoment> out;
   for (const ParameterMoment& corner : cell.corners)
@@ -687,7 +692,7 @@ void check_cells_of_exchanged_clips_and_of_halves() {
       const JointCell other = exchanged.cell({{b, a, {0, 0, 1 - w.end, 1 - w.start}}});
       RC_ASSERT(cell.rounding == other.rounding && cell.defect == other.defect);
       for (std::size_t k = 0; k < 3; ++k) {
-        // Behind a key or a sign, a moment is another one.
+        // At a key, or where signs are chosen, the same time is a different moment from each side.
         if (k < 2 && (!box.signs.empty() || box.ranges[k].first_part < box.ranges[k].last_part)) continue;
         const auto halves = joints.halves(box, k, true);
         if (halves.empty()) continue;

@@ -24,7 +24,7 @@ namespace {
 using namespace refitlab;
 using oracle::sorted;
 
-// What a query of a crowd leaves behind.
+// Holds what a query of a crowd leaves behind.
 struct CrowdOutcome {
   std::vector<Contact> contacts;   // their pairs sorted
   std::vector<long> counts, work;  // of the queries, and of the bodies
@@ -57,7 +57,7 @@ void contacts_are_those_of_all_pairs(Suite& t) {
             const ClusterTree tree(c, {.most_triangles = 10, .most_children = 9});
             std::mt19937 random(plan.seed);
             std::uniform_real_distribution<double> place(-6, 6);
-            // Dual quaternions far apart have no bound at all: such a body is compared with all others.
+            // Dual quaternions far apart have no bound at all, and such a body is compared with all others.
             const Skinning skinning = *rc::gen::element(Skinning::spherical, Skinning::dual_quaternion);
             const double spread = *rc::gen::element(0.5, 3.0);
             const int count = *rc::gen::inRange(0, 12);
@@ -123,7 +123,7 @@ void contacts_are_those_of_all_pairs(Suite& t) {
       });
 }
 
-// A body of a crowd, and where its vertices are in the world.
+// Holds a body of a crowd, and where its vertices are in the world.
 struct Member {
   const ClusterTree& tree;
   ClusterBody body;
@@ -160,7 +160,8 @@ void begin(Member& member, Skinning skinning, std::mt19937& random, const RigidT
   for (Point3& p : member.points) p = apply(at, p);
 }
 
-// Bodies of two characters and three trees, each skinned and deformed in its own way, against all pairs of their triangles.
+// Checks bodies of two characters and three trees, each skinned and deformed in its own way, against all pairs of their
+// triangles.
 void check_crowd_of_all_kinds() {
   const auto plan_a = *gen::mesh_plan(), plan_b = *gen::mesh_plan();
   RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");

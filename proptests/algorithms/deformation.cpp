@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What deforms a reference pose: affine joints and their polar decomposition, scales, weights of morph targets.
+// Tests what deforms a reference pose: affine joints and their polar decomposition, scales, and weights of morph targets.
 #include "algorithms/runtime/skinning/deformation.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -41,7 +41,7 @@ JointKind drawn_kind() {
                            JointKind::flat, JointKind::extreme, JointKind::mixed);
 }
 
-// The message of the refusal; empty if it is accepted.
+// Returns the message of the refusal, or nothing if the deformation is accepted.
 std::string refusal(const SkinnedMesh& mesh, const Deformation& deformation) {
   try {
     check_deformation(mesh, deformation);
@@ -51,7 +51,7 @@ std::string refusal(const SkinnedMesh& mesh, const Deformation& deformation) {
   return "";
 }
 
-// The vertex by the definition, in rationals, by its own sums: all weights, all targets.
+// Returns the vertex by the definition, in rationals, as a sum over all weights and all targets.
 Vec<Rational, 3> by_definition(const SkinnedMesh& mesh, const Deformation& d, int vertex) {
   Vec<Rational, 3> moved = convert<Rational>(mesh.vertices[static_cast<std::size_t>(vertex)]);
   for (int t = 0; t < mesh.targets.count && !d.weights.empty(); ++t)
@@ -91,7 +91,7 @@ void decomposed_joints_and_deformed_vertices(Suite& t) {
             RC_ASSERT((apply(parts.scale, origin) - origin).norm() <= size);
             const Point3 x(1.5, -0.5, 0.25);
             RC_ASSERT((apply(parts.rigid, apply(parts.scale, x)) - apply(joint, x)).norm() <= size * 10);
-            // The nearest rotation: no eigenvalue of S is negative but the least one of a mirror.
+            // The rotation is the nearest one: no eigenvalue of S is negative but the least one of a mirror.
             const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Matrix>(s).eigenvalues();
             const double rounding = 1e-14 * a.norm();
             RC_ASSERT(values[1] >= -rounding && values[0] + values[1] >= -rounding);
@@ -108,7 +108,7 @@ void decomposed_joints_and_deformed_vertices(Suite& t) {
             if (random() % 4) d.scales = gen::random_scales(mesh, drawn_kind(), random);
             RC_CLASSIFY(gen::is_degenerate(plan) || d.is_none(), "degenerate");
             RC_CLASSIFY(!d.weights.empty() && !d.scales.empty(), "both");
-            // Skinned by joints that stay.
+            // The vertices are skinned by joints that do not move.
             const auto palette = make_skinning_palette(mesh, sets, reference_pose(mesh), Skinning::dual_quaternion);
             ExactSkin exact(mesh, sets, palette, Skinning::dual_quaternion, d);
             const auto doubles = deformed_vertices(mesh, sets, d);
@@ -135,7 +135,7 @@ void affine_joints_are_skinned_linearly(Suite& t) {
     RC_ASSERT(palette.is_affine() && palette.is_measured());
     ExactSkin exact(mesh, sets, palette, Skinning::linear, morphs);
     Deformation all = morphs;
-    all.scales = pose;  // the same sum
+    all.scales = pose;  // The sum is the same.
     for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) RC_ASSERT(exact.exact(v) == by_definition(mesh, all, v));
   });
   t.holds("rigid joints as affine ones are skinned as rigid ones, up to rounding", {.number_type = "double", .cases = 150}, [] {

@@ -22,7 +22,7 @@ struct Refitted {
   std::vector<Ball3<double>> optimal, bottom_up;
 };
 
-// A mesh whose vertices have gone anywhere: to random points, to few points, all to one.
+// Draws a mesh whose vertices have moved anywhere: to random points, to few points, or all to one.
 Refitted draw() {
   const auto plan = *gen::mesh_plan();
   const int places = *rc::gen::element(1, 3, 1000, 1000);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every sound refit of affine joints, of morph targets and of joints that scale in two phases, against vertices that are skinned
-// exactly and as skin() does: none may be outside, not by the last bit.
+// Tests every sound refit of affine joints, of morph targets and of joints that scale in two phases, against vertices that are
+// skinned exactly and as skin() does. None may be outside, exactly.
 #include "algorithms/runtime/refit/deformed_reference.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ using gen::JointKind;
 
 const char* const kind_names[] = {"rigid", "uniform", "axes", "shear", "mirrored", "flat", "extreme", "mixed"};
 
-// A mesh, how it is skinned, and what deforms it. Linear skinning has affine joints, other skinning rigid ones and scales.
+// Holds a mesh, its skinning, and what deforms it. Linear skinning has affine joints, other skinning rigid ones and scales.
 struct Deformed {
   gen::WidePlan plan = *gen::wide_plan(-1074, 130);
   Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
@@ -100,7 +100,7 @@ void check_variants() {
   }
 }
 
-// Volumes other than balls, of three nodes.
+// Checks volumes other than balls, of three nodes.
 void check_volumes() {
   const Deformed d;
   const Character c = d.baked();
@@ -124,7 +124,7 @@ void check_volumes() {
   if (d.skinning != Skinning::dual_quaternion) RC_ASSERT(tried == 15);
 }
 
-// Every deformed vertex, exactly and in double, is in the ball of a piece of its joint-set, and in that of the node.
+// Checks that every deformed vertex, exactly and in double, is in the ball of a piece of its joint-set, and in that of the node.
 void check_references() {
   const Deformed d;
   const Character c = d.baked();
@@ -147,7 +147,7 @@ void check_references() {
   }
 }
 
-// Weights in intervals: of those that are drawn in them, each.
+// Checks weights in intervals: the volumes hold the vertices for all weights that are drawn in them.
 void check_ranges() {
   const Deformed d;
   RC_PRE(d.mesh.targets.count > 0);
@@ -176,7 +176,8 @@ void check_ranges() {
       auto reversed = ranges;
       reversed[0] = {0.5, 0.25};
       RC_ASSERT(gen::refuses<ModelError>(
-          [&] { reference.begin(reversed, d.deformation.scales); }));  // and what follows is still of the ranges before
+          // Whatever follows still belongs to the ranges before.
+          [&] { reference.begin(reversed, d.deformation.scales); }));
     }
     std::vector<Ball3<double>> balls;
     for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n)
@@ -189,13 +190,13 @@ void check_ranges() {
   }
 }
 
-// What a reference takes: weights in intervals, and scales.
+// Holds what a reference takes: weights in intervals, and scales.
 struct Begun {
   std::vector<Slab<double>> ranges;
   AffinePose scales;
 };
 
-// Another one than the last, or the last but for one number.
+// Returns other ranges and scales than the last, or the last with one number changed.
 Begun begun_after(const Begun& last, const Deformed& d, std::mt19937& random) {
   Begun out = last;
   const auto moved = [&](double& x) { x = x == 0 ? std::ldexp(1, d.plan.exponent) : x / 2; };
@@ -222,7 +223,7 @@ Begun begun_after(const Begun& last, const Deformed& d, std::mt19937& random) {
   return out;
 }
 
-// One reference for deformations that follow each other, against a new one for each.
+// Checks one reference for deformations that follow each other, against a new one for each.
 void check_begun_again() {
   const Deformed d;
   const Character c = d.baked();
@@ -250,7 +251,7 @@ void check_begun_again() {
   }
 }
 
-// The character made anew is skinned as the deformed one, and bounded by every variant.
+// Checks that the character made anew is skinned as the deformed one, and bounded by every variant.
 void check_deformed_character() {
   const Deformed d;
   const Character c = d.baked();
@@ -271,7 +272,7 @@ void check_deformed_character() {
   }
 }
 
-// The balls of the default variants of a character made anew have proofs, which the checker accepts.
+// Checks that the balls of the default variants of a character made anew have proofs, which the checker accepts.
 void check_certificates() {
   const auto plan = *gen::mesh_plan();
   std::mt19937 random(plan.seed);
@@ -299,7 +300,7 @@ void check_certificates() {
     if (!line.is_accepted()) RC_FAIL(line.text);
 }
 
-// Two bodies, whose pairs are those of all pairs of skin()'s triangles.
+// Checks that the pairs of two bodies are those of all pairs of skin()'s triangles.
 void check_collide() {
   const auto plan = *gen::mesh_plan();
   std::mt19937 random(plan.seed);
@@ -336,7 +337,7 @@ void check_collide() {
   RC_ASSERT(found == expected);
 }
 
-// One body for frames of rigid and of affine joints, deformed or not, against a new one for each.
+// Checks one body for frames of rigid and of affine joints, deformed or not, against a new one for each.
 void check_bodies_begun_again() {
   const auto plan = *gen::mesh_plan();
   RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
@@ -387,7 +388,7 @@ void scaled_joints_and_their_certificates(Suite& t) {
       if (variant.skinning != Skinning::spherical) continue;
       DeformedReference reference(c, variant.pieces);
       reference.begin({{}, scales});
-      // The rotation centers are the images' least squares, about priors that do not scale.
+      // The rotation centers are the images' least-squares solutions, about priors that do not scale.
       SkinnedMesh mesh = c.mesh;
       for (Joint& joint : mesh.joints) joint.origin *= factor;
       const auto palette = make_skinning_palette(mesh, c.sets, scaled, variant.skinning);
@@ -395,7 +396,8 @@ void scaled_joints_and_their_certificates(Suite& t) {
       for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) {
         const double was = variant.refit(c.refit_node(n, before, variant.pieces)).radius,
                      is = variant.refit(reference.refit_node(n, palette)).radius;
-        RC_ASSERT(is <= was * factor * 1.06 + 1e-9 && is >= was * factor * 0.94 - 1e-9);  // near-smallest balls are within 5 %
+        // Near-smallest balls are within 5 % of the smallest.
+        RC_ASSERT(is <= was * factor * 1.06 + 1e-9 && is >= was * factor * 0.94 - 1e-9);
       }
     }
   });

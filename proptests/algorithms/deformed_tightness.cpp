@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How tight refits of deformed characters are: the radius of a level's balls over that of the smallest balls of its deformed vertices,
-// on the level where this is worst. The default variants and the tightest ones, for characters whose joints scale, and for
-// those with morph targets. The goals are 12 % for the defaults and 5 % for the tightest; the man's worst are 10.1 % and 2.9 %. No
-// refit reaches the smallest balls on all levels, so a worst level that is hardly too large would be one that was measured wrongly.
+// Tests how tight refits of deformed characters are: it compares the radius of a level's balls with that of the smallest balls of
+// its deformed vertices, on the level where the ratio is worst. It does so for the default variants and the tightest ones, for
+// characters whose joints scale, and for those with morph targets. The goals are 12 % for the defaults and 5 % for the tightest;
+// the man's worst are 10.1 % and 2.9 %. No refit reaches the smallest balls on all levels, so a worst level that is hardly too
+// large would be one that was measured wrongly.
 #include <algorithm>
 #include <cstdio>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates that are bound to documents of their model and palette: one that is about these is accepted against them, and
-// whatever it says otherwise of a vertex, a node or a joint is noticed.
+// Tests certificates that are bound to documents of their model and palette: one that is about these is accepted against them,
+// and any other statement in it about a vertex, a node or a joint is noticed.
 #include "algorithms/certificate/documents.hpp"
 
 #include <fstream>
@@ -22,7 +22,7 @@ using namespace refitlab;
 using nlohmann::json;
 using oracle::sealed;
 
-// A certificate of a node, with its documents.
+// Holds a certificate of a node, with its documents.
 struct Bound {
   Bound(const Character& c, const Pose& pose, const RefitVariant& variant, int n) {
     const auto palette = make_skinning_palette(c.mesh, c.sets, pose, variant.skinning);
@@ -36,7 +36,7 @@ struct Bound {
   std::string model, pose_text, text;
 };
 
-// What the checker says of a certificate against a model and a palette.
+// Returns what the checker says of a certificate against a model and a palette.
 std::string said(const std::string& text, const std::string& model, const std::string& palette) {
   TemporaryFolder folder;
   const auto put = [&](const char* name, const std::string& content) {
@@ -62,7 +62,7 @@ void check_random_meshes() {
     const int n = *rc::gen::inRange(0, static_cast<int>(c.tree.nodes.size()));
     const Bound b(c, pose, compared_variant(name), n);
     const std::string line = said(b.text, b.model, b.pose_text);
-    // A whole mesh whose weights make a polytope of a hundred vertices is more than the checker takes on.
+    // A whole mesh whose weights make a polytope of a hundred vertices is more than the checker accepts.
     if (line.find(": the proofs take too much work") != std::string::npos) {
       RC_TAG("too much work");
       return;

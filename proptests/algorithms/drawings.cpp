@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drawings of the lemmas show what the lemmas compute.
+// Tests that the drawings of the lemmas show what the lemmas compute.
 #include "experiments/drawings/drawings.hpp"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every public entry that bounds or decides, over all that the interface accepts: joint-sets of 1 to 90 joints, lengths from
-// denormal to 1e40, quaternions as doubles, as floats and at the edge of the tolerance, leaves of one triangle and of all. What
-// was drawn is labelled, and each label has a least share. Vertices are skinned exactly; pairs are compared with all pairs.
+// Tests every public entry that bounds or decides, over all that the interface accepts: joint-sets of 1 to 90 joints, lengths
+// from denormal to 1e40, quaternions as doubles, as floats and at the edge of the tolerance, leaves of one triangle and of all.
+// Each case is labelled with what was drawn, and each label has a least share. Vertices are skinned exactly; pairs are compared
+// with all pairs.
 #include <functional>
 #include <random>
 
@@ -24,7 +25,7 @@ namespace {
 using namespace refitlab;
 using gen::WidePlan;
 
-// Of two: the least denormal, and what keeps coordinates below 1e40.
+// The exponents are those of two: the least is that of denormals, and the greatest keeps coordinates below 1e40.
 constexpr int least_exponent = -1074, greatest_exponent = 130;
 
 const std::map<std::string, double> ranges{{"1 joint", 0.03},
@@ -69,7 +70,7 @@ World drawn_world() {
   return World(plan, triangles_per_leaf);
 }
 
-// Of one skinning: its palette, the vertices as exact arithmetic and as skin() skins them.
+// Holds the truth for one skinning: its palette, and the vertices as exact arithmetic and as skin() skins them.
 class Truth {
  public:
   Truth(const World& w, Skinning skinning)
@@ -79,7 +80,7 @@ class Truth {
         skinned_(skin(w.character.mesh, w.character.sets, palette_, skinning)) {}
   const SkinningPalette<double>& palette() const { return palette_; }
 
-  // The balls of all nodes hold their vertices, skinned either way.
+  // Says whether the balls of all nodes hold their vertices, skinned either way.
   template <class Balls>
   bool is_held_by(const Balls& ball_of) {
     for (int n = 0; n < static_cast<int>(character_.tree.nodes.size()); ++n) {
@@ -103,7 +104,7 @@ class Truth {
   const std::vector<Point3> skinned_;
 };
 
-// True too where it refuses lengths that are too large for single precision, and says so.
+// Says whether the work holds. It may also refuse lengths that are too large for single precision, with a message that says so.
 bool holds_or_refuses(const std::function<bool()>& work) {
   try {
     return work();
@@ -145,7 +146,7 @@ bool is_held_by_batches(const World& w) {
   return ok;
 }
 
-// Poses and skins in packs are those of one at a time, to the last bit.
+// Says whether poses and skins in packs are those of one at a time, exactly.
 bool are_packs_the_same(const World& w, Skinning skinning) {
   const auto& c = w.character;
   const auto palette = make_skinning_palette(c.mesh, c.sets, w.pose, skinning);
@@ -161,7 +162,7 @@ bool are_packs_the_same(const World& w, Skinning skinning) {
   return ok;
 }
 
-// Two of one character, placed anywhere, near each other or far apart.
+// Says whether the pairs of two bodies of one character are right, placed anywhere, near each other or far apart.
 bool are_pairs_right(const World& w, Skinning skinning, std::mt19937& random) {
   double size = 0;
   for (const Point3& p : w.character.mesh.vertices) size = std::max(size, p.lpNorm<Eigen::Infinity>());

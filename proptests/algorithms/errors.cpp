@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of errors is complete; that the suites it names provoke them is looked at when they have run (main.cpp).
+// Tests that the list of errors is complete. Whether the suites that it names provoke them is checked when they have run
+// (main.cpp).
 #include "proptests/harness/error_list.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/harness/session.hpp"

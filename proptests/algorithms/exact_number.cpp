@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers without rounding: sums, differences and products of any doubles have the sign that rationals give them.
+// Tests numbers without rounding: sums, differences and products of any doubles have the sign that rationals give them.
 #include "algorithms/runtime/collide/exact_number.hpp"
 
 #include <bit>
@@ -18,7 +18,7 @@ using namespace refitlab;
 
 int sign_of(const Rational& x) { return CGAL::sign(x); }
 
-// Any finite double by its bits: denormals, powers of two, numbers near each other and far apart.
+// Returns any finite double by its bits: denormals, powers of two, numbers near each other and far apart.
 double any_double(std::mt19937_64& random) {
   static constexpr double special[] = {0.0,    -0.0,    1.0,           -1.0, 0x1p-1074, 0x1p-1022, 0x1.fffffffffffffp1023,
                                        0x1p32, 0x1p-32, 0x1.00000001p0};

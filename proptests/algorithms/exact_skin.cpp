@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ExactSkin, by which balls are judged, against matrices in rationals and against balls that end at the vertex itself.
+// Tests ExactSkin, by which balls are judged, against matrices in rationals and against balls that end at the vertex itself.
 #include "algorithms/verification/exact_skin.hpp"
 
 #include <cmath>
@@ -30,7 +30,8 @@ struct Skinned {
   ExactSkin exact;
 };
 
-// By matrices, which are exact rotations; so for spherical blending only, where all but the blended quaternion is given.
+// Skins a vertex by matrices, which are exact rotations. This is possible for spherical blending only, where all but the blended
+// quaternion is given.
 RationalPoint by_matrix(const Skinned& s, int v) {
   const auto set = s.palette[s.sets.of_vertex(v)];
   Quaternion<Rational> q = Quaternion<Rational>::Zero();
@@ -44,8 +45,8 @@ RationalPoint by_matrix(const Skinned& s, int v) {
   return oracle::times<Rational>(oracle::affine_of<Rational>(q, image), arm);
 }
 
-// Balls about a random place, near by or so far away that the distance is rounded by more than the vertex is, whose radius ends at
-// the vertex, or a little before or beyond it.
+// Checks balls about a random place, near by or so far away that the distance is rounded by more than the vertex is. The radius
+// ends at the vertex, or a little before or beyond it.
 void check_verdicts(Skinned& s, int v) {
   const Vec<Rational, 3> at = s.exact.exact(v);
   const double far = *rc::gen::element(1.0, 1.0, 1e4, 1e8, 1e16, 1e100);
@@ -53,7 +54,8 @@ void check_verdicts(Skinned& s, int v) {
   std::uniform_real_distribution<double> coordinate(-4 * far, 4 * far);
   RC_CLASSIFY(far > 1, "far");
   Ball3<double> ball{{coordinate(random), coordinate(random), coordinate(random)}, 0};
-  if (*rc::gen::inRange(0, 4) == 0) ball.center = lift<double>(at);  // within rounding of the vertex
+  // The center is within rounding of the vertex.
+  if (*rc::gen::inRange(0, 4) == 0) ball.center = lift<double>(at);
   const double about = std::sqrt(CGAL::to_double(squared_distance<Rational, 3>(at, convert<Rational>(ball.center))));
   bool in = false, out = false;
   for (const double factor : {0.0, 0.5, 1 - 1e-9, 1 - 0x1p-52, 1.0, 1 + 0x1p-52, 1 + 1e-9, 1.5}) {
@@ -73,7 +75,7 @@ void check_verdicts(Skinned& s, int v) {
   RC_ASSERT(!s.exact.is_in(ball, v));
 }
 
-// Boxes whose walls are at a vertex, within its last bits, or far away.
+// Checks boxes whose walls are at a vertex, within its last bits, or far away.
 void check_boxes(Skinned& s, int v) {
   const Vec<Rational, 3> at = s.exact.exact(v);
   Box<double> box;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the experiments make of their measurements: medians, levels of balls and what these miss, and levels merged from parts.
+// Tests what the experiments make of their measurements: medians, levels of balls and what these miss, and levels merged from
+// parts.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,7 +21,7 @@ using Levels = std::vector<LevelTightness>;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-// By sorting.
+// Returns the median by sorting.
 double middle_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
@@ -33,7 +34,7 @@ const AnimatedCharacter& man() {
 
 double radius_of_man() { return man().tree.nodes[0].reference.radius; }
 
-// By node, in the reference pose: the smallest balls, and balls that are larger.
+// Returns the smallest balls in the reference pose, by node.
 Balls smallest_balls() {
   Balls out;
   for (const TreeNode& n : man().tree.nodes) out.push_back(n.reference);
@@ -45,7 +46,7 @@ Balls large_balls() {
   return out;
 }
 
-// How far a node's vertices are from the center of its ball at most.
+// Returns how far a node's vertices are at most from the center of its ball.
 double reach(int node) {
   double far = 0;
   for (const int v : man().vertices[node])
@@ -53,7 +54,7 @@ double reach(int node) {
   return far;
 }
 
-// The first nodes of a level that has three of them.
+// Returns the first nodes of a level that has three of them.
 std::vector<int> three_nodes() {
   for (int level = 1; level <= man().tree.level_count(); ++level) {
     std::vector<int> nodes = nodes_of_level(man().tree, level);
@@ -64,7 +65,7 @@ std::vector<int> three_nodes() {
   return {};
 }
 
-// Of balls in so many poses, in each of which the vertices are those of the mesh.
+// Returns the levels of balls in so many poses, in each of which the vertices are those of the mesh.
 Levels levels_of(const std::vector<Balls>& poses, const Balls& optimal, bool have_slack = false) {
   Levels out(static_cast<std::size_t>(man().tree.level_count()));
   for (const Balls& balls : poses) add_balls(man(), balls, optimal, man().mesh.vertices, have_slack, out);
@@ -77,10 +78,10 @@ LevelTightness all_of(const Levels& levels) {
   return out;
 }
 
-// Numbers that are sums of few halves: exact in any order.
+// Draws a multiple of a half. Sums of these are exact in any order.
 double half(int most) { return *rc::gen::inRange(0, 2 * most) / 2.; }
 
-// Balls around the right centers, of any radius, of which some are undefined.
+// Returns balls around the right centers, of any radius, of which some are undefined.
 Balls some_balls(std::mt19937& random) {
   std::uniform_int_distribution<int> halves(-1, 8);
   Balls out = smallest_balls();

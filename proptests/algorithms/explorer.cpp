@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the explorer shows of a character, the models that are packed for it, and its pages of lemmas.
+// Tests what the explorer shows of a character, the models that are packed for it, and its pages of lemmas.
 #include "experiments/explorer/explorer.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 using namespace refitlab;
 using nlohmann::json;
 
-// An explorer that has a man of few triangles, whose name is "few".
+// Makes an explorer that has a man of few triangles, whose name is "few".
 Explorer explorer_of_few() {
   Model model = make_man(400);
   model.name = "few";
@@ -123,7 +123,7 @@ void views_of_a_pose(Suite& t) {
       });
 }
 
-// What of a model is another thing when it is unpacked, but for rounding, and for names of which there are two.
+// Returns which parts of a model differ when it is unpacked, but for rounding, and for names of which there are two.
 std::string other_in(const Model& model, const Model& unpacked) {
   std::string wrong;
   const auto near = [](const auto& a, const auto& b) { return (a - b).norm() < 1e-5; };
@@ -135,7 +135,7 @@ std::string other_in(const Model& model, const Model& unpacked) {
   for (std::size_t i = 0; i < model.clips.size(); ++i) {
     const Clip &a = model.clips[i], &b = unpacked.clips[i];
     if (a.duration != b.duration || !b.name.starts_with(a.name)) wrong += "clip " + a.name + "; ";
-    // Of 24 poses a second the nearest one. No time is in the middle between two of them.
+    // Sampling shows the nearest of 24 poses a second. No time is in the middle between two of them.
     const double steps = std::clamp(std::ceil(a.duration * 24), 1., 120.);
     for (int k = 0; k <= 47; ++k) {
       const double time = a.duration * k / 47;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Models at the ends of what a model may be, through everything that looks at one: right, or refused with a clear
-// error.
+// Tests models at the limits of what a model may be, through everything that looks at one: the results are right, or it is
+// refused with a clear error.
 #include <cmath>
 
 #include "algorithms/bake/bake.hpp"
@@ -28,7 +28,7 @@ using oracle::sorted;
 
 constexpr Skinning skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
-// A character in a pose, by one skinning, and how large its numbers are.
+// Holds a character in a pose, by one skinning, and how large its numbers are.
 struct Posed {
   Posed(const Character& c, const Pose& pose, Skinning skinning)
       : palette(make_skinning_palette(c.mesh, c.sets, pose, skinning)),
@@ -44,15 +44,15 @@ struct Posed {
   double size = 0;
 };
 
-// By the last bit; most are far from the edge.
+// Decides exactly, after a quick test, since most vertices are far from the surface.
 bool encloses_exactly(const Ball3<double>& ball, const Point3& v) {
   if (!std::isfinite(ball.radius)) return ball.radius == INFINITY;
   if (norm<double, 3>(v - ball.center) * (1 + 1e-14) + 1e-150 < ball.radius) return true;
   return encloses(Ball3<Rational>{convert<Rational>(ball.center), Rational(ball.radius)}, convert<Rational>(v)) == Verdict::holds;
 }
 
-// What is wrong with the balls of all nodes; empty if nothing is. An infinite radius is right, another number that is not
-// finite is not. Vertices are skinned exactly, and as skin() does.
+// Returns what is wrong with the balls of all nodes, or nothing. An infinite radius is right, but no other number that is not
+// finite. Vertices are skinned exactly, and as skin() does.
 template <class Balls>
 std::string complaint(const Character& c, Posed& posed, const Balls& ball_of) {
   for (int n = 0; n < static_cast<int>(c.tree.nodes.size()); ++n) {
@@ -82,7 +82,7 @@ std::string refit_complaints(const Character& c, const Pose& pose) {
   return out;
 }
 
-// "" too for lengths that are refused for being too large.
+// Returns what is wrong, or nothing. It is also nothing for lengths that are refused for being too large.
 template <class Work>
 std::string complaint_or_refusal(const Character& c, const Pose& pose, const Work& work) {
   try {
@@ -107,7 +107,7 @@ std::string batch_complaints(const Character& c, const Pose& pose) {
   return out;
 }
 
-// The second one stands a little beside the first, and so in contact.
+// Checks queries in which the second body stands a little beside the first, and so in contact.
 std::string collision_complaints(const Character& c, const Pose& pose) {
   std::string out;
   for (const Skinning skinning : skinnings) {
@@ -140,8 +140,9 @@ Checked all_right(const SkinnedMesh& model, const Pose& pose) {
 
 struct ExtremeFile {
   const char* what;
-  std::function<void(RiggedGltf&)> change;  // of bending_tube(3)
-  std::vector<std::string> words;           // of the refusal; none if it is to load
+  std::function<void(RiggedGltf&)> change;  // The change is one of bending_tube(3).
+  // These are words of the refusal, and there are none if the file is to load.
+  std::vector<std::string> words;
 };
 
 void scale_lengths(RiggedGltf& s, float factor) {
@@ -154,7 +155,7 @@ void scale_lengths(RiggedGltf& s, float factor) {
   for (float& x : s.clips[0].tracks.back().values) x *= factor;
 }
 
-// Over four joints of each set.
+// Spreads the weights over four joints of each set.
 void spread_weights(RiggedGltf& s, int sets) {
   s = gen::bending_tube(4 * sets);
   auto& mesh = s.meshes[0];

@@ -17,7 +17,7 @@ using namespace refitlab;
 using gen::Shape;
 using Balls = std::vector<Ball3<double>>;
 
-// Radii that are zero, equal, few, any, almost equal, or such that the first ball nearly holds all.
+// There are seven kinds: radii that are zero, equal, few, any, almost equal, or such that the first ball nearly holds all.
 constexpr int radius_kinds = 7;
 Balls draw(std::mt19937_64& random, Shape shape, int radii, int n, double offset) {
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -44,8 +44,8 @@ double size_of(const Balls& balls) {
   return size;
 }
 
-// What needs no exact numbers: the coefficients' form, the center as their combination, the support touching the ball,
-// and the radius as others would compute it.
+// Says whether what needs no exact numbers is right: the coefficients' form, the center as their combination, the support
+// touching the ball, and the radius as others would compute it.
 bool is_certified(const Balls& balls, const SmallestBallOfBalls& found) {
   const double slack = 1e-12 * found.ball.radius + 16 * size_of(balls) * 0x1p-52;
   double sum = 0, far = 0;
@@ -62,7 +62,7 @@ bool is_certified(const Balls& balls, const SmallestBallOfBalls& found) {
          far == found.ball.radius;
 }
 
-// No ball that encloses the support alone is smaller by more than 1e-7, by vectors that add up to nothing.
+// Says whether no ball that encloses the support alone is smaller by more than 1e-7, by vectors that add up to nothing.
 bool is_within(const Balls& balls, const SmallestBallOfBalls& found) {
   Balls support;
   for (int k = 0; k < found.support_size; ++k) support.push_back(balls[found.support[k]]);
@@ -201,8 +201,8 @@ void slacks_equal_radii_and_few_or_many_balls(Suite& t) {
   });
 }
 
-// Whether lists of balls, of which the first, the middle or the last is none, have no ball: all lists of up to 40 balls, and those on either
-// side of a switch.
+// Checks that lists of balls, of which the first, the middle or the last is undefined, have no ball. It tries all lists of up to
+// 40 balls, and those on either side of a switch.
 Checked lists_with_a_ball_that_is_undefined() {
   std::mt19937_64 random(Session::get().seed());
   std::vector<int> counts = {512, 513, 4096, 4097};

@@ -28,7 +28,7 @@ double size_of(const std::vector<Vec<S, D>>& points) {
   return size;
 }
 
-// What needs no exact numbers: the certificate's form, and the radius as others would compute it.
+// Says whether what needs no exact numbers is right: the certificate's form, and the radius as others would compute it.
 template <class S, int D>
 bool is_well_formed(const std::vector<Vec<S, D>>& points, const SmallestBall<S, D>& ball) {
   const int n = ball.support_size;
@@ -44,7 +44,7 @@ bool is_well_formed(const std::vector<Vec<S, D>>& points, const SmallestBall<S, 
          ball.squared_radius == farthest_squared_distance(ball.center, all(points));
 }
 
-// The greatest distance is within this share of a radius below which no ball can be, but for the center's rounding.
+// Says whether the greatest distance is within this share of a radius below which no ball can be, but for the center's rounding.
 template <int D>
 bool is_smallest(const std::vector<Vec<double, D>>& points, const SmallestBall<double, D>& ball, double share = 1e-12) {
   std::vector<oracle::ExactPoint<D>> exact;
@@ -57,7 +57,7 @@ bool is_smallest(const std::vector<Vec<double, D>>& points, const SmallestBall<d
          std::sqrt(CGAL::to_double(high)) <= std::sqrt(CGAL::to_double(low)) * (1 + share) + size_of(points) * 0x1p-51;
 }
 
-// Clouds that are nearly degenerate in some measure from 1 down to 1e-15: flat, thin, nearly on a sphere, nearly few
+// Returns clouds that are nearly degenerate in some measure from 1 down to 1e-15: flat, thin, nearly on a sphere, nearly few
 // points.
 template <int D>
 std::vector<Vec<double, D>> nearly_degenerate(std::mt19937_64& random, int n, double offset) {
@@ -159,7 +159,7 @@ void floats_and_points_beyond_the_certificate(Suite& t, const std::string& space
     for (const int n : {512, 513, 700}) {
       const auto many = gen::rounded_cloud<D>(random, Shape::sphere, n, 1);
       const auto ball = few_points_ball(all(many)), walked = smallest_ball(all(many));
-      // Among so many points on a sphere, the walk ends earlier: 4e-12 was seen.
+      // Among so many points on a sphere, the walk ends earlier: an error of 4e-12 was seen.
       if (!is_well_formed(many, ball) || !is_smallest(many, ball, n > 512 ? 1e-11 : 1e-12)) return false;
       if (n > 512 && ball.center != walked.center) return false;
     }
@@ -167,8 +167,8 @@ void floats_and_points_beyond_the_certificate(Suite& t, const std::string& space
   });
 }
 
-// Whether lists of 1 to 600 points, with a number that is not finite in the first, the middle or the last one, have no ball. Lists of most
-// lengths have one such point, and those on either side of a switch have all kinds at all places.
+// Checks that lists of 1 to 600 points, with a number that is not finite in the first, the middle or the last one, have no ball.
+// Lists of most lengths have one such point, and those on either side of a switch have all kinds at all places.
 template <class S, int D>
 Checked lists_with_a_point_that_is_not_finite() {
   std::mt19937_64 random(Session::get().seed() + D);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fingerprints: those that are published for FNV-1a, and of parts in order.
+// Tests fingerprints: those that are published for FNV-1a, and those of parts in order.
 #include "algorithms/runtime/tree/fingerprint.hpp"
 
 #include "proptests/harness/harness.hpp"

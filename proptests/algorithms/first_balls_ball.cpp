@@ -21,8 +21,8 @@ double reach(const Balls& balls, const Vec<double, 3>& from) {
   return far;
 }
 
-// Of radius 0, of one radius, of two, or any; some of them copies, and one in four so that the first ball holds the
-// second.
+// Draws balls of radius 0, of one radius, of two, or of any. Some of them are copies, and in one case of four the first ball
+// holds the second.
 Balls draw(std::mt19937_64& random, int n, int radii) {
   std::uniform_real_distribution<double> uniform(0, 1);
   Balls balls;
@@ -63,10 +63,12 @@ PROPTEST(first_balls_ball) {
     std::uniform_real_distribution<double> uniform(0, 1);
     long seen = 0;
     for (int c = 0; c < 20000; ++c) {
-      Balls balls = draw(random, 2 + c % 2, c % 2 ? 1 : 3);  // three of one radius, or two of any
+      // There are three of one radius, or two of any.
+      Balls balls = draw(random, 2 + c % 2, c % 2 ? 1 : 3);
       if (c % 2 && balls[0].radius != balls[1].radius) continue;
       const Ball3<double> all = smallest_ball_of_balls(balls);
-      for (int more = c % 7; more > 0; --more) {  // inside, of a different radius
+      // These are inside, and have another radius.
+      for (int more = c % 7; more > 0; --more) {
         Vec<double, 3> way(uniform(random) - 0.5, uniform(random) - 0.5, uniform(random) - 0.5);
         const double radius = uniform(random) * all.radius;
         balls.push_back({all.center + way * (all.radius - radius), radius});

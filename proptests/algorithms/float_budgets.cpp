@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The budgets of rounding in float: that each allowance of a kernel is at least what its own operations can lose, for all
-// inputs that it accepts. The kernels' templates run in number types that carry bounds in place of values
-// (norm_budget.hpp, polynomial_budget.hpp). Where a kernel is no template, its steps are repeated here with the templates
-// that it calls. Each check says what was derived and what is allowed, in u = 2^-24.
+// Tests the budgets of rounding in float: each allowance of a kernel is at least what its own operations can lose, for all inputs
+// that it accepts. The kernels' templates run in number types that carry bounds in place of values (norm_budget.hpp,
+// polynomial_budget.hpp). Where a kernel is no template, its steps are repeated here with the templates that it calls. Each check
+// says what was derived and what is allowed, in u = 2^-24.
 #include <cstdio>
 
 #include "algorithms/runtime/batch/float_skin_joints.hpp"
@@ -15,7 +15,7 @@
 
 namespace refitlab {
 
-// What the box kernel finds: the greatest error of a side.
+// The box kernel finds this greatest error of a side.
 inline double error_of_merged_box = 0;
 template <>
 inline void merge_lanes<proptests::oracle::Budget>(const Box<proptests::oracle::Budget>& box, const int*, FlippedBox*) {
@@ -35,10 +35,10 @@ using oracle::PlainBudget;
 using oracle::whole;
 constexpr double u = Budget::u;
 
-// In place of 0, with which sums would be exact.
+// This stands in place of 0, with which sums would be exact.
 constexpr double tiny = 1e-30;
 
-// All weights of so many joints that are multiples of a share and add up to at most 1.
+// Visits all weights of so many joints that are multiples of a share and add up to at most 1.
 template <class Visit>
 void for_each_weights(int joints, int share, const Visit& visit) {
   std::vector<int> w(joints, 0);
@@ -63,7 +63,8 @@ struct BoxSizes {
   double point = tiny, image = tiny, dual = tiny, radius = tiny;
 };
 
-// The greatest error of the kernel's boxes, in u, for all weights and numbers of joints. added: to the center's error.
+// Returns the greatest error of the kernel's boxes, in u, for all weights and numbers of joints. added is an error that the
+// center has besides.
 double error_of_boxes(Skinning skinning, const BoxSizes& sizes, double added, bool are_near) {
   Budget::answer = are_near;
   error_of_merged_box = 0;
@@ -97,7 +98,7 @@ constexpr double allowed_of_box = lost_of_box / u;
 
 Checked check_boxes() {
   DerivedBudgets budgets;
-  // What is_near leaves: W_kk > 1/4 and W_kl > sqrt(W_kk W_ll) / 2, as computed, so less 128 u.
+  // is_near leaves W_kk > 1/4 and W_kl > sqrt(W_kk W_ll) / 2, as computed, so less 128 u.
   oracle::least_own_weight = 0.25 - 128 * u, oracle::least_mixed_weight = 0.125 - 128 * u;
   for (const bool are_near : {true, false}) {
     const std::string which = are_near ? "spherical, per " : "spherical beyond a right angle, per ";
@@ -137,8 +138,8 @@ Checked check_filter(const Vertices& vertices, bool are_exact) {
 
 // --- Skinning in float ---
 
-// The error of an image whose blended quaternion has an error of so much: what that turns (b8_blend_error), and the formula's own
-// errors for a quaternion of any angle.
+// Returns the error of an image whose blended quaternion has an error of so much: what that error turns (b8_blend_error), and the
+// formula's own errors for a quaternion of any angle.
 double error_of_turn(double length, double error_of_blend, const Vec<Budget, 3>& x, const Vec<Budget, 3>& c) {
   double worst = 0;
   constexpr int cells = 512;
@@ -166,7 +167,7 @@ double error_of_turn(double length, double error_of_blend, const Vec<Budget, 3>&
 namespace refitlab::baseline {
 namespace {
 
-// What the blends have become is taken apart: which error the blended quaternion has.
+// Holds the blended quaternion, point and center, so that their errors are taken apart.
 template <int N>
 struct Blended {
   static inline Quaternion<proptests::oracle::Budget> q;
@@ -198,7 +199,7 @@ Vec<Budget, D> rounded_input(double length, bool is_step = false) {
   return out;
 }
 
-// Of N joints, with |p| + |r| = X.
+// Returns the error for N joints, with |p| + |r| = X.
 template <int N>
 double error_of_float_skin(double point, double image) {
   using Joints = baseline::FloatJointSet<Budget, N>;
@@ -217,7 +218,7 @@ double error_of_float_skin(double point, double image) {
   return worst;
 }
 
-// Of one joint: per |p|, and per |r| or T, which the offset consists of.
+// Returns the error for one joint, per |p|, and per |r| or T, of which the offset consists.
 double error_of_matrix(double point, double offset) {
   double squares = 0, worst = 0;
   for (int k = 0; k < 3; ++k) {
@@ -231,7 +232,8 @@ double error_of_matrix(double point, double offset) {
     const double error = whole(joint.skin(p, [](int) { return Budget(0); })).in_u();
     squares += error * error, worst = std::max(worst, error);
   }
-  return point > tiny ? std::sqrt(squares) + 1 : worst;  // p itself is rounded
+  // The point itself is rounded.
+  return point > tiny ? std::sqrt(squares) + 1 : worst;
 }
 
 Checked check_float_skin() {

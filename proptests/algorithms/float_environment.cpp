@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every public entry in every floating-point mode that a caller may have set.
+// Tests every public entry in every floating-point mode that a caller may have set.
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 #include <cstring>
@@ -43,7 +43,7 @@ namespace {
 
 using namespace refitlab;
 
-// What an entry answered, as bytes: to be compared bit by bit.
+// Holds what an entry answered as bytes, to be compared exactly.
 class Bytes {
  public:
   template <class T>
@@ -81,10 +81,11 @@ class Bytes {
   std::string text_;
 };
 
-// A snake some of whose coordinates are denormal, as are differences of others, so that every mode has something to change.
+// Makes a snake some of whose coordinates are denormal, as are differences of others, so that every mode has something to change.
 Model snake_with_denormals() {
   Model model = make_snake(4);
-  model.triangles.resize(96);  // those of its tail, so that all modes are tried in seconds
+  // Only the triangles of its tail stay, so that all modes are tried in seconds.
+  model.triangles.resize(96);
   for (std::size_t v = 0; v < model.vertices.size(); v += 3) model.vertices[v][0] = 3e-310 * static_cast<double>(v);
   for (std::size_t v = 1; v < model.vertices.size(); v += 7) model.vertices[v] = Point3(0x1p-1060, 0x1p-1070, 0x1p-1074);
   return model;
@@ -92,7 +93,7 @@ Model snake_with_denormals() {
 
 constexpr Skinning skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
-// What the entries are asked about; made in the default mode.
+// Holds what the entries are asked about, made in the default mode.
 struct World {
   AnimatedCharacter character = bake_animated(snake_with_denormals(), {.triangles_per_leaf = 4});
   Pose pose = character.clips[0].sample(0.3);
@@ -183,7 +184,8 @@ std::vector<Entry> refitting_entries() {
                          const auto add = [&](const Volume& volume) {
                            std::visit(
                                [&]<class V>(const V& v) {
-                                 static_assert(sizeof(V) % sizeof(double) == 0);  // nothing but doubles, so no padding
+                                 // Nothing but doubles is in it, so there is no padding.
+                                 static_assert(sizeof(V) % sizeof(double) == 0);
                                  out.add(std::string(reinterpret_cast<const char*>(&v), sizeof(v)));
                                },
                                volume);
@@ -255,8 +257,8 @@ std::vector<Entry> query_entries() {
                            out.add(contact.first), out.add(contact.second), out.add_all(contact.pairs);
                        }});
   entries.push_back({"triangles_meet, filter_triangles, place", [](const World& w, Bytes& out) {
-                       // A weight vertex that is off the other's plane by a denormal: only with denormals kept are they
-                       // apart.
+                       // A vertex of one triangle is off the other's plane by a denormal. They are apart only if denormals are
+                       // kept.
                        const double off = 0x1p-1050;
                        const TrianglePoints flat{Point3(0, 0, 0), {1, 0, 0}, {0, 1, 0}},
                            above{Point3(0.2, 0.2, off), {0.3, 0.2, 1}, {0.2, 0.3, 1}};
@@ -282,7 +284,8 @@ std::vector<Entry> query_entries() {
   return entries;
 }
 
-// Two clips of nodes, joints and splines, some of whose coordinates are denormal; of triangles that make several clusters.
+// Makes two clips of nodes, joints and splines, some of whose coordinates are denormal, with triangles that make several
+// clusters.
 Model animated(double unit) {
   gen::AnimatedPlan plan;
   plan.rigid = plan.cubic = true, plan.nodes = 5, plan.joints = 4, plan.vertices = 5, plan.seed = 12345;
@@ -306,7 +309,7 @@ Model animated(double unit) {
   return model;
 }
 
-// A square of triangles whose sides are denormal, so that where they are counts only while denormals are kept.
+// Makes a square of triangles whose sides are denormal, so that their place counts only while denormals are kept.
 Model square_of_denormals() {
   constexpr int side = 8;
   Model model = animated(1);
@@ -319,7 +322,7 @@ Model square_of_denormals() {
   return model;
 }
 
-// A model whose lengths are denormal in float, with its bounds; all are made in the default mode, once.
+// Holds a model whose lengths are denormal in float, with its bounds. All are made in the default mode, once.
 struct OverTimeWorld {
   Model model = animated(1), tiny = animated(1e-39), square = square_of_denormals();
   AnimatedJoints joints{model, model.clips[0].animation, false};
@@ -382,7 +385,7 @@ std::string answer(const Entry& entry, const World& world) {
   return out.text();
 }
 
-// Each of these entries in each mode: the answers of the default mode, and the caller's mode again after it.
+// Checks that each of these entries in each mode answers as in the default mode, and leaves the caller's mode as it was.
 Checked are_the_same(const std::vector<Entry>& entries, const std::vector<oracle::FloatMode>& modes) {
   const World world;
   std::string wrong;
@@ -409,10 +412,10 @@ Checked are_the_same_in_all_modes(const std::vector<Entry>& entries) {
   return are_the_same(entries, oracle::other_float_modes());
 }
 
-// Source files of the library, by how their paths end, that need no DefaultFloatEnvironment of their own.
+// Lists source files of the library, by the ends of their paths, that need no DefaultFloatEnvironment of their own.
 const std::vector<std::string> without_environment{
     "_kernel.cpp",
-    "_kernel_table.cpp",  // called by entries that have it
+    "_kernel_table.cpp",  // Entries that have it call these.
     "model/gltf_animations.cpp",
     "model/gltf_description.cpp",
     "model/gltf_file.cpp",
@@ -420,8 +423,8 @@ const std::vector<std::string> without_environment{
     "model/gltf_nodes.cpp",
     "model/gltf_numbers.cpp",
     "model/mesh_binding.cpp",
-    "model/regular_file.cpp",    // by load_model, gltf_scene, model_of_scene
-    "tree/check_character.cpp",  // by character_of
+    "model/regular_file.cpp",    // load_model, gltf_scene and model_of_scene call it.
+    "tree/check_character.cpp",  // character_of calls it.
     "program/bake_command.cpp",
     "program/collide_command.cpp",
     "program/clip_certificate.cpp",
@@ -429,13 +432,13 @@ const std::vector<std::string> without_environment{
     "program/extras.cpp",
     "program/info_command.cpp",
     "program/main.cpp",
-    "program/peak_memory.cpp",  // by run_program
+    "program/peak_memory.cpp",  // run_program calls it.
     "program/json_splice.cpp",
     "over_time/moving_joints.cpp",
     "tree/baked_file.cpp",
     "tree/binary.cpp",
     "tree/glb_file.cpp",
-    "tree/cluster_bounds.cpp",  // no floating-point arithmetic
+    "tree/cluster_bounds.cpp",  // It has no floating-point arithmetic.
     "certificate/sha256.cpp",
     "packs/targets.cpp",
     "mesh/joint_sets.cpp",
@@ -443,7 +446,7 @@ const std::vector<std::string> without_environment{
     "tree/sphere_tree.cpp",
     "collide/exact_number.cpp",
     "collide/float_palettes.cpp",
-    "results/write_whole.cpp",  // no floating-point arithmetic
+    "results/write_whole.cpp",  // It has no floating-point arithmetic.
 };
 
 Checked all_sources_have_it_or_are_listed() {
@@ -472,7 +475,8 @@ PROPTEST(float_environment) {
     bool ok = true;
     long tried = 0;
     for (const auto& mode : oracle::other_float_modes()) {
-      volatile double quotient, negative, sum, product;  // so that nothing is computed later, in another mode
+      // They are volatile so that nothing is computed later, in another mode.
+      volatile double quotient, negative, sum, product;
       {
         const oracle::ScopedFloatMode scoped(mode);
         quotient = one / ten;

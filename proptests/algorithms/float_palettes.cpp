@@ -16,7 +16,7 @@ namespace {
 
 using namespace refitlab;
 
-// A Scene asks for palettes frame by frame, and has the same numbers made one by one.
+// Asks for palettes frame by frame, and has the same numbers made one by one.
 struct Scene {
   explicit Scene(const SkinnedMesh& model, Skinning skinning = Skinning::spherical)
       : mesh(model),
@@ -29,7 +29,7 @@ struct Scene {
     palettes.begin(&pose, at);
   }
 
-  // Asks for one, and says whether it is as when it is made by itself. What is unused of an entry is not compared.
+  // Asks for one palette, and says whether it is as when it is made by itself. Unused numbers of an entry are not compared.
   bool is_right(int set) {
     const FloatPaletteEntry& found = palettes[set];
     std::vector<FloatPaletteEntry> alone(sets.count());
@@ -76,7 +76,8 @@ std::vector<int> some_of(const std::vector<int>& list, double share, std::mt1993
   return out;
 }
 
-// A frame that asks for what an earlier one asked for makes no more packs than that needs, if the frames between asked for nothing else.
+// Checks that a frame which asks for what an earlier one asked for makes no more packs than that needs, if the frames between
+// asked for nothing else.
 void check_frames(Scene& scene, std::mt19937& random, const std::function<Pose()>& pose) {
   std::vector<int> all(scene.sets.count()), known;
   for (int s = 0; s < scene.sets.count(); ++s) all[s] = s;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One run at a time in a folder, however the last one ended.
+// Tests that there is one run at a time in a folder, however the last one ended.
 #include "experiments/resume/folder_lock.hpp"
 
 #include <unistd.h>
@@ -21,7 +21,7 @@ namespace {
 
 using namespace refitlab;
 
-// Why the folder cannot be had; empty if it can.
+// Returns why the folder cannot be had, or nothing if it can.
 std::string refusal(const std::string& folder) {
   try {
     const FolderLock lock(folder);
@@ -31,7 +31,7 @@ std::string refusal(const std::string& folder) {
   return "";
 }
 
-// A run that holds the folder until it is killed.
+// Starts a run that holds the folder until it is killed.
 void hold(const std::string& folder) {
   const FolderLock lock(folder);
   write_whole(folder + "/held", "");
@@ -65,7 +65,7 @@ PROPTEST(folder_lock) {
   });
   t.example("threads that want one folder have it one at a time, each in the end, and are refused for no other reason", {}, [] {
     const TemporaryFolder folder;
-    // A thread asks until it has had the folder so often: how many refusals that takes is the scheduler's matter.
+    // A thread asks until it has had the folder so often. The scheduler decides how many refusals that takes.
     constexpr int threads = 8, times = 25;
     std::atomic<int> inside = 0, together = 0, refused = 0, strange = 0;
     std::barrier start(threads);
@@ -98,7 +98,7 @@ PROPTEST(folder_lock) {
   t.example("a program that is started meanwhile and goes on does not hold the folder", {}, [] {
     const TemporaryFolder folder;
     std::optional<FolderLock> lock(folder.path());
-    std::FILE* const program = popen("cat > /dev/null", "w");  // until it is closed
+    std::FILE* const program = popen("cat > /dev/null", "w");  // It runs until it is closed.
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     lock.reset();
     const std::string message = refusal(folder.path());

@@ -34,7 +34,7 @@ Pose random_pose(const SkinnedMesh& model, unsigned seed) {
   return pose;
 }
 
-// A drawn character in a random pose, or any other.
+// Holds a drawn character in a random pose, or any other.
 struct Drawn {
   Drawn(SkinnedMesh m, const Pose& pose, const RefitVariant& of)
       : variant(of),
@@ -60,7 +60,7 @@ struct Drawn {
   std::vector<Point3> deformed;
 };
 
-// Two strips of triangles. Where the vertices of the first are half-way between two joints, in cut of which a third has
+// Makes two strips of triangles. Where the vertices of the first are half-way between two joints, in cuts of which a third has
 // hardly any weight, dual quaternions may blend to 0, so that their bound is all of space. The second strip is rigid.
 SkinnedMesh two_strips() {
   SkinnedMesh m;
@@ -85,7 +85,8 @@ Pose with_opposite_turns() {
   return pose;
 }
 
-// Each ball encloses its vertices and is defined; all of space are those that have to be, and the balls above them.
+// Returns a fault unless each ball encloses its vertices and is defined, and only those are all of space that have to be, and the
+// balls above them.
 std::string fault_of_infinite(const Drawn& d, const FrameOptions& options) {
   FrameRefits frame(d.character, d.variant, options);
   frame.begin(d.palette);
@@ -112,7 +113,8 @@ Drawn draw() {
   return {gen::make_mesh(plan), plan.seed};
 }
 
-// The cut of a node by its definition: the member of most joint-sets, of several the first, gives way to its children.
+// Returns the cut of a node by its definition: the member with the most joint-sets, or the first of several, is replaced by its
+// children.
 std::vector<int> cut_by_definition(const Drawn& d, int n, const FrameOptions& options) {
   const auto children = [&](int m) {
     std::vector<int> out;
@@ -134,7 +136,7 @@ std::vector<int> cut_by_definition(const Drawn& d, int n, const FrameOptions& op
   }
 }
 
-// The ball that a frame must have of a node, from the definition alone, and the nodes that are refitted for it.
+// Returns the ball that a frame must have of a node, from the definition alone, and collects the nodes that are refitted for it.
 Ball3<double> ball_by_definition(const Drawn& d, int n, const FrameOptions& options, std::set<int>& refitted) {
   refitted.insert(n);
   if (d.joint_sets(n) <= options.most_joint_sets || d.character.tree.nodes[n].child_count == 0) return d.own(n);
@@ -265,7 +267,7 @@ void what_is_counted_and_what_is_refused(Suite& t) {
         return Checked(false, filled, "not refused");
       palette.measure();
       frame.begin(palette);
-      // So far from the origin, balls have more room for rounding.
+      // Balls that are so far from the origin have more room for rounding.
       const Ball3<double> expected =
           refit_all(snake, variant, make_skinning_palette(snake.mesh, snake.sets, pose, variant.skinning))[0];
       if (frame[0].center != expected.center || frame[0].radius != expected.radius || !(expected.radius > 1e-16 * std::abs(far)))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fuzz targets without a fuzzer: their corpus, whatever was ever found, and random changes of both.
+// Tests the fuzz targets without a fuzzer: their corpus, whatever was ever found, and random changes of both.
 #include <filesystem>
 #include <set>
 
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Relative to the root of the repository, from where the tests are run.
+// The path is relative to the root of the repository, from where the tests are run.
 const fs::path folder = "proptests/fuzz";
 
 std::vector<fs::path> files_in(const fs::path& of) {
@@ -30,7 +30,7 @@ std::vector<std::string> inputs_of(const std::string& target) {
   return out;
 }
 
-// As fuzzers do: bytes changed, cut out, doubled, taken from elsewhere.
+// Draws a change as fuzzers make it: bytes are changed, cut out, doubled, or taken from elsewhere.
 std::string draw_change_of(const std::vector<std::string>& inputs) {
   const auto index = [](std::size_t count) { return *rc::gen::inRange<std::size_t>(0, count); };
   std::string text = inputs[index(inputs.size())];

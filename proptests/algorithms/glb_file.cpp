@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Binary glTF files as chunks.
+// Tests binary glTF files as chunks.
 #include "algorithms/runtime/tree/glb_file.hpp"
 
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
@@ -53,10 +53,10 @@ PROPTEST(glb_file) {
       other[at] = static_cast<char>(other[at] + 1);
       good = good && is_refused(other);
     }
-    // A chunk whose size is no multiple of four, with all other sizes as they should be.
+    // The chunk's size is no multiple of four, and all other sizes are as they should be.
     std::string uneven = bytes.substr(0, bytes.size() - 1);
     uneven[8] = static_cast<char>(uneven.size()), uneven[24] = 7;
-    // Cut in the header and in the data of a chunk, with a total size that fits.
+    // The file is cut in the header and in the data of a chunk, with a total size that fits.
     for (const std::size_t size : {bytes.size() - 12, bytes.size() - 4}) {
       std::string cut = bytes.substr(0, size);
       cut[8] = static_cast<char>(size);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Accessors of every kind are written byte by byte, from integers and from the bits of floats, and what is read has to be what
-// glTF says of these.
+// Tests accessors of every kind, which are written byte by byte, from integers and from the bits of floats. What is read has to
+// be what glTF says of these.
 #include "algorithms/model/gltf_numbers.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using namespace refitlab;
 struct Component {
   int type;
   std::size_t size;
-  std::int64_t least, greatest;  // of its codes
+  std::int64_t least, greatest;  // These are the limits of its codes.
   bool may_be_normalized;        // by glTF 2.0, 3.6.2.2
 };
 constexpr Component components[] = {{gen::gltf_byte, 1, -128, 127, true},      {gen::gltf_ubyte, 1, 0, 255, true},
@@ -55,8 +55,8 @@ double meaning(std::int64_t code, const Component& component, bool normalized) {
   return normalized ? std::max(value / static_cast<double>(component.greatest), -1.0) : value;
 }
 
-// Rows lie in a view behind other bytes, and others are behind them; the view itself begins somewhere in the buffer. A stride of
-// 0 is none.
+// Says where rows lie: in a view behind other bytes, with others behind them. The view itself begins somewhere in the buffer. A
+// stride of 0 is none.
 struct Place {
   std::size_t view_offset = 0, offset = 0, behind = 0, stride = 0;
 };
@@ -84,7 +84,8 @@ struct Written {
   std::vector<std::int64_t> codes, sparse_codes;  // row by row
 };
 
-// There may be so many numbers that they are not drawn one by one, but from a seed. The ends of the range come up often.
+// Draws a code from a generator, since there may be too many numbers to draw them one by one. The ends of the range come up
+// often.
 std::int64_t drawn_code(const Component& c, std::mt19937_64& random) {
   const auto any = c.least + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(c.greatest - c.least + 1));
   const std::int64_t codes[] = {c.least, c.greatest, c.least + 1, c.greatest / 2 + 1, 0, any, any, any};
@@ -104,7 +105,7 @@ T drawn_of(const T (&list)[N]) {
   return list[*rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, N))];
 }
 
-// Some have more rows than the smaller index types have numbers.
+// Draws what is written. Some accessors have more rows than the smaller index types have numbers.
 Written drawn() {
   Written out{drawn_of(components), drawn_of(types), false, true, *rc::gen::arbitrary<bool>(), 1, drawn_place(), {}, {}, {}};
   out.normalized = out.component.may_be_normalized && *rc::gen::arbitrary<bool>();
@@ -142,7 +143,7 @@ std::size_t add_rows(gen::GltfBuilder& file, const std::vector<std::int64_t>& co
   return index;
 }
 
-// What a file does not say is 0.
+// Writes an accessor's rows. Fields that are left out of a file mean 0.
 nlohmann::json at_rows(gen::GltfBuilder& file, const std::vector<std::int64_t>& codes, std::size_t size, std::size_t width,
                        const Place& place) {
   nlohmann::json out = {{"bufferView", add_rows(file, codes, size, width, place)}};
@@ -150,10 +151,11 @@ nlohmann::json at_rows(gen::GltfBuilder& file, const std::vector<std::int64_t>& 
   return out;
 }
 
-// A file whose one accessor is this one.
+// Makes a file whose one accessor is this one.
 gen::GltfBuilder file_of(const Written& of) {
   gen::GltfBuilder file;
-  file.add_view(std::string(of.rows, '\x5a').data(), of.rows);  // a file has as many bytes as rows, even if these are zeros
+  // A file has as many bytes as rows, even if these are zeros.
+  file.add_view(std::string(of.rows, '\x5a').data(), of.rows);
   nlohmann::json accessor = nlohmann::json::object();
   if (of.is_dense) accessor = at_rows(file, of.codes, of.component.size, of.type.width, of.place);
   accessor["componentType"] = of.component.type, accessor["count"] = of.rows, accessor["type"] = of.type.name;
@@ -250,7 +252,7 @@ void what_is_refused(Suite& t) {
           [] {
             Written of = drawn();
             RC_PRE(of.is_sparse);
-            std::vector<std::int64_t> wrong = {of.sparse.rows.back()};  // that index once more
+            std::vector<std::int64_t> wrong = {of.sparse.rows.back()};  // The wrong list has that index once more.
             const auto rows = static_cast<std::int64_t>(of.rows);
             if (of.sparse.rows.back() > 0) wrong.push_back(of.sparse.rows.back() - 1);
             for (const std::int64_t index :

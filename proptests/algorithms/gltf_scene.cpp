@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// glTF files: where the vertices of one with all features go, by its own formulas, and what is refused, by changes of the
+// Tests glTF files: where the vertices of one with all features are, by its own formulas, and what is refused, by changes of the
 // description of one that is read.
 #include "algorithms/model/gltf_scene.hpp"
 
@@ -39,7 +39,7 @@ json& attribute_view(json& g, const char* name) {
   return g["bufferViews"][std::size_t(attribute_accessor(g, name)["bufferView"])];
 }
 
-// A second buffer with these numbers; returns the index of a view of all of them.
+// Adds a second buffer with these numbers, and returns the index of a view of all of them.
 template <class T>
 std::size_t add_bytes(json& g, const std::vector<T>& numbers) {
   const std::string bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T));
@@ -55,7 +55,7 @@ void make_sparse(json& g, const std::vector<std::uint16_t>& indices, std::size_t
                                                  {"values", {{"bufferView", value_view}}}};
 }
 
-// A cubic spline in place of what a sampler has, each of whose two keys has these in-tangent, value and out-tangent. The
+// Puts a cubic spline in place of what a sampler has, each of whose two keys has these in-tangent, value and out-tangent. The
 // sampler 1 has the rotations of the joint 1, and the sampler 3 the translations of the joint 0.
 void make_spline(json& g, const std::vector<float>& rows, int index = 1, const char* type = "VEC4") {
   std::vector<float> numbers = rows;
@@ -66,7 +66,7 @@ void make_spline(json& g, const std::vector<float>& rows, int index = 1, const c
   sampler(g, index)["interpolation"] = "CUBICSPLINE";
 }
 
-// A morph target of the mesh, of which the vertex 2 goes to this place in x.
+// Adds a morph target of the mesh that moves the vertex 2 by this in x.
 void add_target(json& g, float x, std::size_t vertices = 28) {
   std::vector<float> numbers(3 * vertices, 0.0f);
   numbers[6] = x;
@@ -75,7 +75,7 @@ void add_target(json& g, float x, std::size_t vertices = 28) {
   primitive(g)["targets"].push_back({{"POSITION", g["accessors"].size() - 1}});
 }
 
-// The weight of the one morph target of the node "skin" at 0 and 1 s.
+// Moves the weight of the one morph target of the node "skin" between these values at 0 and 1 s.
 void move_weight(json& g, float from, float to) {
   const std::size_t view = add_bytes(g, std::vector<float>{0, 1, from, to});
   for (const int offset : {0, 8})
@@ -86,12 +86,13 @@ void move_weight(json& g, float from, float to) {
   animation["samplers"].push_back({{"input", g["accessors"].size() - 2}, {"output", g["accessors"].size() - 1}});
 }
 
-// The same along a spline, by a value and two tangents that are those of both keys. The weight's sampler is 4.
+// Moves the same weight along a spline whose two keys both have this value and these two tangents. The weight's sampler is 4.
 void move_weight_along_spline(json& g, float into, float value, float out) {
   move_weight(g, value, value), make_spline(g, {into, value, out}, 4, "SCALAR");
 }
 
-// Other numbers for an attribute of the mesh, four for each of so many vertices: all of them are zeros, joints and weights alike.
+// Puts other numbers in place of an attribute of the mesh, four for each of so many vertices. All of them are zeros, joints and
+// weights alike.
 template <class T>
 void replace_attribute(json& g, const char* name, std::size_t vertices) {
   const int component = attribute_accessor(g, name)["componentType"];
@@ -100,7 +101,7 @@ void replace_attribute(json& g, const char* name, std::size_t vertices) {
   primitive(g)["attributes"][name] = g["accessors"].size() - 1;
 }
 
-// The last of the mesh's indices becomes this one.
+// Replaces the last of the mesh's indices with this one.
 void set_last_index(json& g, std::uint32_t index) {
   std::vector<std::uint32_t> indices(144);
   indices.back() = index;
@@ -109,7 +110,7 @@ void set_last_index(json& g, std::uint32_t index) {
   primitive(g)["indices"] = g["accessors"].size() - 1;
 }
 
-// Three more nodes, of which the last is below the one before. They show the mesh without a skin and with another one.
+// Adds three more nodes, of which the last is below the one before. They show the mesh without a skin and with another one.
 void add_nodes_of_no_scene(json& g) {
   g["skins"].push_back({{"joints", {2, 1, 0}}});
   g["nodes"].push_back({{"mesh", 0}, {"translation", {1, 2, 3}}});
@@ -122,7 +123,7 @@ struct Change {
   std::string reason;
 };
 
-// Changes of the description of bending_tube(3): nodes j0 to j2 and "skin", one mesh, one skin, one clip "bend".
+// Lists changes of the description of bending_tube(3): nodes j0 to j2 and "skin", one mesh, one skin, one clip "bend".
 std::vector<Change> refused_descriptions() {
   return {
       {[](json& g) { g["asset"].erase("version"); }, "file: says no version of glTF"},
@@ -317,7 +318,7 @@ std::vector<Change> refused_meshes() {
       {[](json& g) { g["nodes"][3]["skin"] = 1; }, "node 3 'skin': has a skin that there is not"},
   };
 }
-// The weight of the one target is 0 where no clip moves it.
+// Lists refused changes of a moving weight. The weight of the one target is 0 where no clip moves it.
 std::vector<Change> refused_moving_weights() {
   std::vector<Change> out;
   const auto refused = [&](const auto& move) {
@@ -330,7 +331,7 @@ std::vector<Change> refused_moving_weights() {
     refused([into = into, value = value, out_of = out_of](json& g) { move_weight_along_spline(g, into, value, out_of); });
   return out;
 }
-// Each number of the in-tangent and of the out-tangent of rotations, of translations and of a weight.
+// Lists wrong values for each number of the in-tangent and of the out-tangent of rotations, of translations and of a weight.
 std::vector<Change> refused_tangents() {
   std::vector<Change> out;
   for (const float wrong : {INFINITY, -INFINITY, NAN})
@@ -373,7 +374,7 @@ std::vector<Change> refused_changes() {
   return all;
 }
 
-// The vertices of the model at a time, each moved by its morph targets and then by the matrices of its joints.
+// Returns the vertices of the model at a time, each moved by its morph targets and then by the matrices of its joints.
 std::vector<Eigen::Vector3d> posed_vertices(const Model& model, const Clip& clip, double time) {
   std::vector<Eigen::Vector3d> places(model.vertices.begin(), model.vertices.end());
   for (const MorphedMesh& mesh : model.morphs) {
@@ -419,7 +420,7 @@ void exchange_accessors(json& description, std::size_t a, std::size_t b) {
     for (json& sampler : animation["samplers"]) renamed(sampler["input"]), renamed(sampler["output"]);
 }
 
-// What is wrong about the model of a rich file; empty if it has each primitive where it has to be at all times.
+// Returns what is wrong about the model of a rich file, or nothing if it has each primitive where it has to be at all times.
 std::string complaint(const gen::RichGltf& rich, const Model& model) {
   if (model.sources.size() != rich.primitives().size()) return "there are " + std::to_string(model.sources.size()) + " sources; ";
   std::string out;
@@ -443,7 +444,8 @@ std::string complaint(const gen::RichGltf& rich, const Model& model) {
   return out;
 }
 
-// Of the same file: what is right in glTF, if not in every reader of it. All but the second mesh leave its 48 triangles.
+// Lists changes of the same file that are right in glTF, if not in every reader of it. All but the second mesh leave its 48
+// triangles.
 std::vector<std::pair<const char*, std::function<void(json&)>>> accepted_changes() {
   return {
       {"inverse bind matrices that are not there", [](json& g) { g["skins"][0].erase("inverseBindMatrices"); }},
@@ -498,7 +500,7 @@ void accessors_of_any_place(Suite& t) {
     json& description = rich.file.json;
     const json joints = description["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"];
     exchange_accessors(description, 0, joints.get<std::size_t>());
-    // The one row of the fan's sparse positions, behind 12 other bytes.
+    // This is the one row of the fan's sparse positions, behind 12 other bytes.
     const std::size_t positions = description["meshes"][1]["primitives"][0]["attributes"]["POSITION"];
     const float row[] = {7, 7, 7, 0.03125f, 0.0625f, 0.125f};
     json& values = description["accessors"][positions]["sparse"]["values"];
@@ -562,7 +564,7 @@ void files_of_all_features(Suite& t) {
             });
 }
 
-// A mesh of so many tubes, each a primitive. The weights of its vertices from the seventh on have these sums.
+// Makes a mesh of so many tubes, each a primitive. The weights of its vertices from the seventh on have these sums.
 json tubes_of_sums(const std::vector<std::vector<float>>& sums) {
   gen::RiggedGltf rig = gen::bending_tube(3);
   rig.meshes.resize(sums.size(), rig.meshes[0]);
@@ -783,7 +785,7 @@ void buffers_and_primitives_without_positions(Suite& t, const json& tube) {
       return false;
     };
     bool good = refused();
-    g["buffers"][0]["uri"] = "README.md";  // of the working directory
+    g["buffers"][0]["uri"] = "README.md";  // This is a file of the working directory.
     good = good && refused();
     return Checked(found && good, 6);
   });
@@ -793,7 +795,8 @@ void buffers_and_primitives_without_positions(Suite& t, const json& tube) {
               const std::size_t length = tube["buffers"][0]["byteLength"];
               const Model expected = model_of_scene(gltf_scene(tube.dump(), "file.gltf"));
               for (std::size_t more = 0; more <= 7; ++more)
-                for (const bool is_cut : {false, true}) {  // so that lengths of all remainders by three come up
+                // So lengths of all remainders by three come up.
+                for (const bool is_cut : {false, true}) {
                   json g = tube;
                   const std::size_t own = length + (is_cut ? more : 0);
                   g["buffers"][0] = {{"byteLength", own},
@@ -840,7 +843,7 @@ void skins_and_what_is_no_json(Suite& t, const json& tube) {
     for (const char* text : {"", " \n", "Hello", "[{", "\xff\xfe{}"})
       good = good && refusal(text) == "file.gltf: file: is neither binary glTF nor JSON";
     for (const char* before : {" \n", "\xef\xbb\xbf"}) good = good && refusal(before + tube.dump()).empty();
-    // Nested far deeper than a stack is: nothing descends into extras.
+    // The file is nested far deeper than a stack is. Nothing descends into extras.
     std::string deep = tube.dump();
     deep.insert(1, "\"extras\":" + std::string(1000000, '[') + std::string(1000000, ']') + ",");
     return Checked(good && refusal(deep).empty(), 12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Members of JSON text are added, replaced and removed, and no other byte changes.
+// Tests that members of JSON text are added, replaced and removed, and no other byte changes.
 #include "algorithms/program/json_splice.hpp"
 
 #include <map>
@@ -15,7 +15,7 @@ namespace {
 using namespace refitlab;
 using Json = nlohmann::ordered_json;
 
-// Strings with everything that a scanner could stumble over.
+// Draws strings with everything that a scanner could stumble over.
 std::string drawn_text() {
   return *rc::gen::element<std::string>("", "a", "extras", "refitlab", "\"", "\\", "{", "}]", ",:", "\xC3\xA4", "\n", "a\\\"b");
 }
@@ -59,11 +59,12 @@ JsonEdit drawn_edit(Json& value, int depth, int& changes) {
     if (what == 2 && member.is_null() && depth > 0) {
       member = Json::object();
       edit.members[name] = drawn_edit(member, depth - 1, changes);
-      if (member.empty()) member = nullptr;  // nothing is put into it
+      // Nothing is put into it, so it stays null.
+      if (member.empty()) member = nullptr;
     }
   }
   for (const std::string& name : gone) value.erase(name);
-  std::map<std::string, Json> added;  // in the order of their names
+  std::map<std::string, Json> added;  // The order is that of their names.
   for (int n = *rc::gen::inRange(0, 3); n > 0; --n)
     if (const std::string name = drawn_text(); !value.contains(name) && !edit.members.contains(name)) {
       JsonEdit& inner = edit.members[name];
@@ -71,7 +72,8 @@ JsonEdit drawn_edit(Json& value, int depth, int& changes) {
       if (depth > 0 && *rc::gen::arbitrary<bool>()) inner = drawn_edit(made, depth - 1, changes);
       else made = drawn_value(1), inner.value = made.dump(), ++changes;
       if (inner.value.empty() && made.empty()) {
-        if (*rc::gen::arbitrary<bool>()) inner.is_removed = true;  // which is not there
+        // The edit removes a member that is not there.
+        if (*rc::gen::arbitrary<bool>()) inner.is_removed = true;
         continue;
       }
       added[name] = made;
@@ -131,7 +133,8 @@ PROPTEST(json_splice) {
   });
   t.holds("a path through what is no object is refused", {.number_type = "double", .cases = 200}, [] {
     Json leaf = drawn_value(0);
-    if (leaf.is_null()) leaf = true;  // which may become an object
+    // It may then become an object.
+    if (leaf.is_null()) leaf = true;
     const std::string text = Json{{"a", {{"b", leaf}}}, {"c", 1}}.dump();
     bool is_refused = false;
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// k-DOPs of every k, in exact arithmetic; the axis-aligned box is the one of k = 6.
+// Tests k-DOPs of every k, in exact arithmetic. The axis-aligned box is the one of k = 6.
 #include "algorithms/methods/volumes/k_dop.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ RationalBalls moved(RationalBalls balls, const RationalVec<3>& by) {
   return balls;
 }
 
-// (x, d), by multiplication.
+// Returns (x, d), by multiplication.
 Rational product(const SlabDirection& d, const RationalVec<3>& x) {
   return x[0] * Rational(d[0]) + x[1] * Rational(d[1]) + x[2] * Rational(d[2]);
 }
@@ -44,7 +44,7 @@ void check_holds_hull() {
   RC_ASSERT(decide_by_all(statement, list.balls, gen::hull_point(list.balls)) == Verdict::holds);
 }
 
-// reach is r ||d|| for a ball of radius r or above it by 2^-50 of it: (reach / r)^2 is ||d||^2.
+// Says whether reach is r ||d|| for a ball of radius r, or above it by 2^-50 of it: (reach / r)^2 is ||d||^2.
 bool is_tight(const Rational& reach, const Rational& radius, int squared_length) {
   const Rational least = radius * radius * Rational(squared_length), square = reach * reach;
   return reach >= 0 && square >= least && square <= least * Rational(1 + 0x1p-50) && (squared_length > 1 || square == least);
@@ -91,8 +91,7 @@ Verdict overlap_by_all(const RationalBalls& a, const RationalBalls& b) {
   return verdict;
 }
 
-// b is moved until a point of its hull is one of a's; in a quarter of the cases the two only touch there, in another b
-// is a.
+// Moves b until a point of its hull is one of a's. In a quarter of the cases the two only touch there, and in another b is a.
 template <int k>
 void check_common_point() {
   const auto a = draw(), b = draw();

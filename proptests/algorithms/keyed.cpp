@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sampled clips as key frames: the poses at the keys are the clip's own, and between two keys every joint turns about one axis.
+// Tests sampled clips as key frames: the poses at the keys are the clip's own, and between two keys every joint turns about one
+// axis.
 #include "algorithms/model/keyed.hpp"
 
 #include <cmath>
@@ -12,7 +13,7 @@ namespace {
 
 using namespace refitlab;
 
-// The largest distance between where two poses take the vertices' corners of a box of this size around each joint.
+// Returns the largest distance between the places to which two poses take the corners of a box of this size around each joint.
 double apart(const SkinnedMesh& mesh, const Pose& a, const Pose& b) {
   double worst = 0;
   for (std::size_t j = 0; j < a.size(); ++j)

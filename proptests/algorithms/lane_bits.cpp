@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Through a kernel that goes through lanes one by one, so that every target's own way is tried.
+// Tests lane bits through a kernel that goes through lanes one by one, so that every target's own way is tried.
 #include "algorithms/runtime/packs/lane_bits.hpp"
 
 #include <random>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace refitlab;
 
-// Boxes of which those in the list are at 0, and the others at 1: are the ones at 0 listed, in order?
+// Says whether the boxes at 0 are listed, in order. The boxes marked true are at 0, and the others at 1.
 bool are_listed(const std::vector<bool>& at_zero, Target target) {
   const int count = static_cast<int>(at_zero.size());
   std::vector<Lanes<float>> sides[6], vertices(count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loading rigged files: what they palette, against assimp's own matrices, and what is refused.
+// Tests the loading of rigged files against assimp's own matrices, and what is refused.
 #include "algorithms/model/load.hpp"
 
 #include <cmath>
@@ -37,7 +37,7 @@ std::string read_all(const std::string& path) {
 
 void write_all(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
 
-// The message of the refusal; empty if the file loads.
+// Returns the message of the refusal, or nothing if the file loads.
 std::string refusal(const std::string& path) {
   try {
     load_model(path);
@@ -47,7 +47,7 @@ std::string refusal(const std::string& path) {
   return "";
 }
 
-// Whether loading says no, and the message has the file and all of the words.
+// Checks that loading is refused with a message that has the file and all of the words.
 Checked refuses(const std::string& path, const std::vector<std::string>& words) {
   const std::string message = refusal(path);
   bool complete = message.find(path) != std::string::npos;
@@ -65,15 +65,15 @@ std::vector<Point3> blend_linearly(const Model& model, const Pose& pose) {
   return posed;
 }
 
-// The largest distance between a corner as the model and as the file has it, over the size of the posed file; infinite
-// if they do not have the same triangles.
+// Returns the largest distance between a corner as the model and as the file has it, over the size of the posed file; infinity if
+// they do not have the same triangles.
 double deviation(const Model& model, const oracle::FileSkinning& file, unsigned clip, double time) {
   const std::vector<Point3> posed = blend_linearly(model, model.clips[clip].sample(time));
   const auto expected = file.posed_triangles(clip, time);
   if (expected.size() != model.triangles.size()) return INFINITY;
   double worst = 0, size = 0;
   for (std::size_t t = 0; t < expected.size(); ++t) {
-    // The loader turns the triangles of a mesh around that its placement mirrors.
+    // The loader turns the triangles of a mesh around if its placement mirrors it.
     double apart[2] = {0, 0};
     for (int k = 0; k < 3; ++k) {
       const aiVector3D& e = expected[t][k];
@@ -96,7 +96,8 @@ double worst_deviation(const Model& model, const std::string& path, int times) {
   return worst;
 }
 
-// The same at so many times of keys, where it does not matter that assimp takes splines and steps for straight lines.
+// Returns the worst deviation at so many times of keys, where it does not matter that assimp takes splines and steps for straight
+// lines.
 double worst_deviation_at_keys(const Model& model, const std::string& path, std::size_t times) {
   const oracle::FileSkinning file(path);
   double worst = 0;
@@ -106,7 +107,7 @@ double worst_deviation_at_keys(const Model& model, const std::string& path, std:
   return worst;
 }
 
-// Unit quaternions, each in the half-space of its parent's.
+// Says whether the rotations are unit quaternions, each in the half-space of its parent's.
 bool well_formed(const Model& model, const Pose& pose) {
   bool good = pose.size() == model.joints.size();
   for (std::size_t j = 0; j < pose.size(); ++j) {
@@ -121,7 +122,7 @@ bool well_formed(const Model& model, const Pose& pose) {
 struct RealModel {
   const char* name;
   std::size_t triangles, joints, clips;
-  bool is_large = false;  // and is fetched on request
+  bool is_large = false;  // A large model is fetched on request.
 };
 // What is known of the files of experiments/fetch_models; proptests/lists says if one is missing.
 constexpr RealModel known_models[] = {{"BCN_Epileptic.X", 5126, 54, 1},   {"Testwuson.X", 3732, 37, 3},
@@ -129,7 +130,7 @@ constexpr RealModel known_models[] = {{"BCN_Epileptic.X", 5126, 54, 1},   {"Test
                                       {"rightHandHigh.glb", 2320, 16, 7}, {"genericHandLeft.glb", 2314, 25, 0},
                                       {"dancing.fbx", 55320, 52, 1, true}};
 
-// A check over the real models that experiments/fetch_models has left in out/models of the working directory.
+// Runs a check over the real models that experiments/fetch_models has left in out/models of the working directory.
 template <class Check>
 Checked over_real_models(const Check& check) {
   bool passed = true;
@@ -161,7 +162,7 @@ void rigs_and_real_models_as_their_files_say(Suite& t) {
     write_glb(random_rig(traits), path);
     const Model model = load_model(path);
     const bool split = traits.second_skin && traits.split_joint && traits.joints > 1;
-    // Of a second skin, whose matrices are rounded to float, joints are those of the first one where they do just the same.
+    // A second skin, whose matrices are rounded to float, shares a joint of the first one where it does exactly the same.
     const int least = traits.joints + split + traits.other_joints + traits.loose_mesh,
               joints = static_cast<int>(model.joints.size());
     RC_ASSERT(joints >= least && joints <= least + (traits.second_skin ? traits.joints : 0));
@@ -214,7 +215,8 @@ void what_a_tube_is_loaded_as(Suite& t) {
     for (const Model* m : {&plain, &mirrored})
       for (const Triangle& triangle : m->triangles) {
         const Point3 a = m->vertices[triangle[0]], b = m->vertices[triangle[1]], c = m->vertices[triangle[2]];
-        const Point3 outwards(a[0] + b[0] + c[0], 0, a[2] + b[2] + c[2]);  // from the tube's axis
+        // It points away from the tube's axis.
+        const Point3 outwards(a[0] + b[0] + c[0], 0, a[2] + b[2] + c[2]);
         good = good && dot(cross<double>(b - a, c - a), outwards) > 0;
       }
     return Checked(good && mirrored.vertices[1][0] == -plain.vertices[1][0], 2);
@@ -283,7 +285,7 @@ void influences_that_are_lost(Suite& t) {
     const auto give = [&](std::size_t vertex, std::array<float, 4> weights) {
       scene.meshes[0].joints[0][vertex] = {2, 0, 1, 0}, scene.meshes[0].weights[0][vertex] = weights;
     };
-    // Joint 0 is there twice: neither weight is lost if both together are not.
+    // Joint 0 is listed twice. Neither weight is lost unless both together are.
     give(3, {1, 1e-9f, 0, 2e-9f}), give(5, {1e-9f, 1, 1e-8f, 0}), give(7, {1, 0x1p-26f, 0, 0x1p-25f}),
         give(9, {0.5f, 0, 0.5f, 0});
     const Model m = load(scene);
@@ -507,12 +509,14 @@ void spoiled_gltf_files(Suite& t) {
     for (auto& weights : mesh.weights[1]) weights = {0, 0, 0, 0};
     write_gltf(scene, path);
     const auto whole = nlohmann::json::parse(read_all(path));
-    bool good = refusal(path).empty();  // values to spare, and a set of weights that are 0
+    // There are values to spare, and a set of weights that are 0.
+    bool good = refusal(path).empty();
     auto changed = whole;
     for (auto& sampler : changed["animations"][0]["samplers"]) sampler["interpolation"] = "CUBICSPLINE";
     write_all(path, changed.dump());
     good = good && refuses(path, {"'bend'", "2 times but 4 values"}).passed;
-    for (const char* list : {"JOINTS_0", "WEIGHTS_0"}) {  // three a vertex
+    // There are three for each vertex.
+    for (const char* list : {"JOINTS_0", "WEIGHTS_0"}) {
       changed = whole;
       const std::size_t accessor = changed["meshes"][0]["primitives"][0]["attributes"][list];
       changed["accessors"][accessor]["type"] = "VEC3";
@@ -532,7 +536,8 @@ void spoiled_gltf_files(Suite& t) {
       return value;
     };
     std::string wrong;
-    for (const std::size_t at : {std::size_t{8}, 20 + std::size_t{word(12)}})  // of the file, of the second chunk
+    // These are the places of the sizes of the file and of the second chunk.
+    for (const std::size_t at : {std::size_t{8}, 20 + std::size_t{word(12)}})
       for (const std::uint32_t more : {1u, 4u, 8u}) {
         std::string bytes = whole;
         const std::uint32_t value = word(at) + more;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Through the smallest kernel that looks numbers up, so that every target's own way is tried: pieces of one joint that
-// only moves are boxed where the table says the joint is.
+// Tests the look-up of numbers through the smallest kernel that does it, so that every target's own way is tried: pieces of one
+// joint that only moves are boxed where the table says the joint is.
 #include "algorithms/runtime/packs/look_up.hpp"
 
 #include <random>
@@ -14,14 +14,15 @@ namespace {
 
 using namespace refitlab;
 
-// How many lanes are boxed elsewhere than at 1 + the number of their joint.
+// Counts the lanes that are boxed elsewhere than at 1 + the number of their joint.
 int misplaced(const std::int32_t (&joint)[motion_bound_lanes], int count, Target target) {
   const int room = look_up_size(count);
   std::vector<Lanes<float>> numbers(8 * room / Lanes<float>::count);
   float* table = numbers.data()->lane.data();
   for (int j = 0; j < room; ++j) {
-    table[j] = 1;                                                               // the rotations stay
-    for (int i = 4; i < 7; ++i) table[i * room + j] = j < count ? 1 + j : -99;  // nothing behind is to be looked up
+    table[j] = 1;  // the rotations stay
+    // Nothing behind the joints is to be looked up.
+    for (int i = 4; i < 7; ++i) table[i * room + j] = j < count ? 1 + j : -99;
   }
   MotionBoundPiecePack piece{};
   MotionBoundPack& pack = piece.ball;
@@ -51,7 +52,8 @@ PROPTEST(look_up) {
       for (int count = 1; count <= 200; ++count)
         for (int times = 0; times < 8; ++times) {
           alignas(64) std::int32_t joint[motion_bound_lanes];
-          for (int lane = 0; lane < motion_bound_lanes; ++lane)  // the first and last places too
+          // The first and last places are there too.
+          for (int lane = 0; lane < motion_bound_lanes; ++lane)
             joint[lane] = times == 0 ? (lane % 2 ? count - 1 : 0) : static_cast<int>(random() % count);
           wrong += misplaced(joint, count, target), ++tried;
         }

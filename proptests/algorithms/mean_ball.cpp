@@ -48,7 +48,7 @@ void properties(Suite& t) {
       });
 }
 
-// A ball of doubles as the exact one that its numbers stand for.
+// Returns a ball of doubles as the exact one that its numbers stand for.
 template <int D>
 Ball<Rational, D> exact(const Ball<double, D>& b) {
   return {convert<Rational>(b.center), Rational(b.radius)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes in one reference pose: whatever shape they have, and whatever frames a scene has them in, joints and morph targets take the
-// model's vertices where the scene's own formulas take them.
+// Tests meshes in one reference pose: whatever shape they have, and whatever frames a scene has them in, joints and morph targets
+// take the model's vertices where the scene's own formulas take them.
 #include "algorithms/model/mesh_binding.hpp"
 
 #include <Eigen/LU>
@@ -43,14 +43,15 @@ class SceneMaker {
     out.topRightCorner<3, 1>() = far * vector();
     return out;
   }
-  // Of the axes of a mesh's frame, which it does not extend along: z, y and z, or all.
+  // Returns a matrix that stretches those axes of a mesh's frame along which the mesh is flat: z, y and z, or all.
   Matrix4d stretched(int flat) {
     Matrix4d out = Matrix4d::Identity();
     for (int i = 3 - flat; i < 3; ++i) out(i, i) = between(2, 3);
     return out;
   }
 
-  // Three points or more. Where a mesh is flat, a plane of its frame has all of them, or a line, or a point.
+  // Adds a mesh of three points or more. Where it is flat, all of them are in a plane of its frame, or on a line, or in one
+  // point.
   void add_mesh(Scene& s, bool is_skinned) {
     const int flat = below(s.meshes.empty() ? 3 : 4);  // not all are points, which have no triangles
     const int targets = below(3), primitives = 1 + below(2), joints = static_cast<int>(offsets_.size());
@@ -65,7 +66,7 @@ class SceneMaker {
       for (int k = 0; k < listed; ++k) {
         const int j = below(joints);
         skin.joints.push_back(1 + j);
-        // Of the same node, but it does something else off the plane.
+        // The offset belongs to the same node, but it may act differently off the plane.
         skin.offsets.push_back(offsets_[static_cast<std::size_t>(j)] * frame *
                                (is_told_apart && below(2) == 0 ? stretched(flat) : Matrix4d::Identity()));
       }
@@ -104,10 +105,10 @@ class SceneMaker {
 
 struct Placed {
   Vector3d at;
-  double size;  // what was summed up
+  double size;  // This is the size of the terms that were summed up.
 };
 
-// A vertex where the scene's own formulas have it, with these weights of its mesh's morph targets.
+// Returns a vertex where the scene's own formulas have it, with these weights of its mesh's morph targets.
 Placed by_scene(const Scene& s, const std::vector<Matrix4d>& globals, const ShownMesh& shown, const ScenePrimitive& primitive,
                 std::size_t v, const std::vector<double>& weights) {
   Vector3d at = primitive.positions[v];
@@ -127,7 +128,7 @@ Placed by_scene(const Scene& s, const std::vector<Matrix4d>& globals, const Show
   return out;
 }
 
-// The model's vertex where its joints and targets take it.
+// Returns the model's vertex where its joints and targets take it.
 Vector3d by_model(const Model& model, const std::vector<Matrix4d>& matrices, int node, int vertex,
                   const std::vector<double>& weights) {
   Vector3d v = model.vertices[static_cast<std::size_t>(vertex)];
@@ -148,7 +149,7 @@ void check_places() {
   RC_LOG() << "seed " << seed;
   SceneMaker maker(seed);
   Scene s = maker.scene();
-  // Nodes of their own, so that each mesh has weights of its own.
+  // Each mesh is shown by a node of its own, so that it has weights of its own.
   for (ShownMesh& shown : s.shown) {
     s.nodes.push_back({"shows", shown.skin < 0 ? shown.node : -1, Matrix4d::Identity()});
     shown.node = static_cast<int>(s.nodes.size()) - 1;
@@ -178,8 +179,8 @@ void check_places() {
   RC_ASSERT(source == model.sources.size());
 }
 
-// A joint that two skins have in two frames, so far apart, and a node that shows a mesh without a skin. All of them are as large as this.
-// Each mesh has so many primitives.
+// Counts the joints of a scene in which two skins have one joint in two frames, so far apart, and a node shows a mesh without a
+// skin. All of them are as large as this. Each mesh has so many primitives.
 std::size_t joints_of_parts(double size, double angle, double far, double bind, std::size_t parts) {
   const Vector3d axis = Vector3d(1, 2, 3).normalized();
   const auto turned = [&](double angle, const Vector3d& to) {
@@ -214,7 +215,7 @@ Checked check_joints_of_parts() {
         const double angle = 0.1 * static_cast<double>(1 + tried);
         const std::size_t one = joints_of_parts(size, angle, far, bind, 1), three = joints_of_parts(size, angle, far, bind, 3);
         ++tried;
-        // Where a frame is far away, its joint is one of its own, since placing the mesh rounds too much.
+        // Where a frame is far away, its joint is a separate one, since placing the mesh rounds too much.
         if (three != one || (bind <= 1 && one != 2))
           return Checked(false, tried,
                          std::to_string(size) + " " + std::to_string(far) + " " + std::to_string(bind) + ": " +

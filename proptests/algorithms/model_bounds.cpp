@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds of all parts of a model: which parts there are, and that what is of all clips encloses what is of each.
+// Tests bounds of all parts of a model: which parts there are, and that the bounds of all clips enclose those of each.
 #include "algorithms/bake/over_time/model_bounds.hpp"
 
 #include <algorithm>
@@ -45,8 +45,8 @@ bool encloses(const BoundedPart& outer, const BoundedPart& inner) {
          apart + inner.ball.radius <= outer.ball.radius * (1 + 1e-6);
 }
 
-// A triangle about the second of two nodes, which jumps eighty times in one clip and turns by a right angle and more each second, for
-// twenty seconds, in the other one.
+// Makes a triangle about the second of two nodes, which jumps eighty times in one clip, and turns by a right angle and more each
+// second, for twenty seconds, in the other one.
 Model two_nodes_with_two_clips(bool jumps) {
   const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
   Model model = gen::model_of_nodes("two clips", {{"a", -1, identity}, {"b", 0, identity}});
@@ -70,8 +70,8 @@ Model two_nodes_with_two_clips(bool jumps) {
   return model;
 }
 
-// A triangle about the second of two nodes, which is this far from the origin along each axis, on the one side in one clip and on the
-// other side in the other one.
+// Makes a triangle about the second of two nodes, which is this far from the origin along each axis, on one side in one clip and
+// on the other side in the other one.
 Model at_opposite_ends(double far) {
   Model model = two_nodes_with_two_clips(true);
   for (const std::size_t clip : {0u, 1u})
@@ -227,7 +227,7 @@ Checked check_clips_of_many_keys() {
                                   RotationBlend::slerp, false);
     std::vector<Point3> points;
     double farthest = 0;
-    // The whole crossfade in one cell, of which no speeds are known.
+    // The whole crossfade is in one cell, in which no speeds are known.
     const JointCell cell = joints.cell(joints.boxes()[0]);
     const CellSlack slack = vertices.slack(cell, Finite::must_be);
     std::vector<std::vector<Point3>> corners;
@@ -353,7 +353,8 @@ void parts_of_crossfades_and_rounded_weights(Suite& t) {
           ModelBoundsOptions options;
           if (is_rendered_exactly) options.renderer_rounding = 0;
           for (const BoundedPart& part : bound_model(model, options).rest) {
-            const double off = joints * way * 0x1p-25;  // of weights that are 2^-25 less and more
+            // Such weights are 2^-25 less and more.
+            const double off = joints * way * 0x1p-25;
             if (!(part.box.low[0] <= -off && part.box.high[0] >= 1e-3 + off)) return Checked(false, tried, std::to_string(way));
             if (!(part.ball.radius >= off && part.ball.radius <= 1e-3 + 2e-6 * way * 8)) return Checked(false, tried, "ball");
             ++tried;
@@ -422,8 +423,8 @@ class Numbers {
 
 unsigned drawn_seed() { return *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<unsigned>()); }
 
-// Triangles between any of some vertices, perhaps of one alone or there twice, and two nodes that move in each clip. All lengths are in
-// this unit, those of the clips up to `way` of them.
+// Makes triangles between any of some vertices, perhaps of one alone or with one twice, and two nodes that move in each clip. All
+// lengths are in this unit; those of the clips are at most `way` units.
 Model heap_of_triangles(double unit, double way, int triangles, int clips, unsigned seed) {
   Numbers random(seed);
   const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
@@ -461,7 +462,7 @@ bool have_each_triangle_once(const Model& model, const std::vector<ModelPart>& p
   return std::count(seen.begin(), seen.end(), 1) == static_cast<long>(seen.size());
 }
 
-// Whether the vertices of all parts are inside of their bounds at some moments of these joints.
+// Says whether the vertices of all parts are inside of their bounds at some moments of these joints.
 bool hold_what_is_sampled(const Model& model, const std::vector<ModelPart>& parts, const std::vector<BoundedPart>& bounds,
                           const MovingJoints& joints, const std::vector<ParameterMoment>& moments) {
   const JointSets sets(model);
@@ -536,7 +537,7 @@ void any_lengths(Suite& t) {
 
 using Turns = std::vector<Eigen::Quaterniond>;
 
-// Joints below a base, with these turns and places, that move the three vertices of a triangle, all of them at v.
+// Makes joints below a base, with these turns and places, that move the three vertices of a triangle, all of them at v.
 Model joints_below_a_base(const Turns& turns, const std::vector<Point3>& places,
                           const std::vector<std::pair<int, double>>& weights, const Point3& v) {
   std::vector<SceneNode> nodes = {{"base", -1, Eigen::Matrix4d::Identity()}};
@@ -554,13 +555,13 @@ Model joints_below_a_base(const Turns& turns, const std::vector<Point3>& places,
   return model;
 }
 
-// A node that is at a place and turns from one rotation to the other in a second.
+// Makes a node that is at a place and turns from one rotation to the other in a second.
 NodeTrack turning(int node, const Point3& place, const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
   return {node, {{{0, place}}}, {{{0, from}, {1, to}}}, {{{0, Eigen::Vector3d::Ones()}}}};
 }
 
-// What dual quaternions make of v: with the images x_j by the joints and q = sum w_j q_j, the imaginary part of sum w_j x_j q_j q* over
-// the square of the length of q.
+// Returns the image of v by dual quaternion skinning: with the images x_j by the joints and q = sum w_j q_j, it is the imaginary
+// part of sum w_j x_j q_j q* over the square of the length of q.
 Point3 blended_exactly(const Turns& turns, const std::vector<Point3>& places, const std::vector<double>& weights,
                        const Point3& v) {
   using Exact = Eigen::Quaternion<long double>;
@@ -574,7 +575,7 @@ Point3 blended_exactly(const Turns& turns, const std::vector<Point3>& places, co
   return ((Exact(carried) * Exact(blend).conjugate()).vec() / blend.squaredNorm()).cast<double>();
 }
 
-// The same spherically, of the model's first vertex, in double.
+// Returns the image of the model's first vertex by spherical skinning, in double.
 Point3 blended_spherically(const Model& model, const Turns& turns, const std::vector<Point3>& places,
                            const std::vector<double>& weights) {
   Pose transforms;
@@ -585,7 +586,8 @@ Point3 blended_spherically(const Model& model, const Turns& turns, const std::ve
   return oracle::reweighted_vertex(model, Skinning::spherical, transforms, weights);
 }
 
-// Weights of a base joint and of others that share the rest nearly equally: those of even and of odd joints are rounded the other way.
+// Returns weights of a base joint and of others that share the rest nearly equally. Those of even and of odd joints are rounded
+// in opposite directions.
 std::vector<double> weights_between_multiples(int joints, double first, double odd, double even) {
   std::vector<double> weights(static_cast<std::size_t>(joints));
   double left = 1;
@@ -598,7 +600,7 @@ std::vector<double> weights_between_multiples(int joints, double first, double o
   return weights;
 }
 
-// One joint, and others that are turned against it by nearly half a turn, to either side.
+// Returns the turns of one joint, and of others that are turned against it by nearly half a turn, to either side.
 Turns turned_to_either_side(const Eigen::Quaterniond& base, int joints, double cosine) {
   Turns out = {base};
   const double sine = std::sqrt(1 - cosine * cosine);
@@ -627,7 +629,7 @@ void check_unrounded_weights() {
   const double spread = random.below(2) == 0 ? 0 : random.between(0, 1);
   std::vector<Point3> places;
   for (int j = 0; j < joints; ++j) places.emplace_back(spread * random.vector());
-  // In the rest pose and in two clips whose joints are still.
+  // These are the turns in the rest pose and in two clips whose joints are still.
   std::vector<Turns> turns;
   for (int moment = 0; moment < 3; ++moment)
     turns.push_back(turned_to_either_side(random.turn(), joints, std::pow(10.0, random.between(-4, -1))));
@@ -656,12 +658,13 @@ void check_unrounded_weights() {
   if (off > (joints * 0x1p-24 + renderer_rounding) * farthest) RC_TAG("the blend enlarges what rounding takes");
 }
 
-// A turn of this angle at most.
+// Returns a turn by at most this angle.
 Eigen::Quaterniond slight_turn(Numbers& random, double angle) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(random.between(0, angle), random.vector().normalized()));
 }
 
-// Joints with shares that are not rounded to 0, and others that are so far away that they move the vertex more than others' rounding does.
+// Checks joints with shares that are not rounded to 0, and others that are so far away that they move the vertex more than the
+// rounding of the former does.
 void check_lost_influences() {
   const int kept = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, 5)),
             lost = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, 4)),
@@ -681,13 +684,14 @@ void check_lost_influences() {
   }
   std::vector<std::pair<int, double>> lost_shares;
   const auto rounded = quantize_weights(listed, &lost_shares);
-  // What all of them lose together may be a multiple of 2^-24, which one of them then gets.
+  // All of them together may lose a multiple of 2^-24, which one of them then gets.
   RC_ASSERT(!lost_shares.empty() && rounded.size() + lost_shares.size() == listed.size());
   const Point3 v = random.vector();
   const Eigen::Quaterniond base = random.turn();
   std::vector<Point3> places;
   for (int j = 0; j < joints; ++j) places.emplace_back((j < kept ? 1 : std::pow(10.0, power)) * random.vector());
-  std::vector<Turns> turns(2);  // in the rest pose, and in a clip
+  // These are the turns in the rest pose, and in a clip.
+  std::vector<Turns> turns(2);
   for (Turns& moment : turns)
     for (int j = 0; j < joints; ++j) moment.push_back(base * slight_turn(random, 0.7));
   Model model = joints_below_a_base(turns[0], places, rounded, v);
@@ -712,8 +716,8 @@ void check_lost_influences() {
   }
 }
 
-// One joint, and two meshes of it: one about the origin, and one that is modelled far away, which its inverse bind matrix brings back. A
-// renderer in float begins with the far coordinates.
+// Checks one joint with two meshes: one about the origin, and one that is modelled far away, which its inverse bind matrix brings
+// back. A renderer in float begins with the far coordinates.
 void check_far_frame() {
   const int power = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 7));
   const unsigned seed = drawn_seed();
@@ -752,8 +756,9 @@ void check_far_frame() {
   if (!holds(bound_model(model, {.cluster_triangles = 0, .renderer_rounding = 0}).rest[0], places)) RC_TAG("rounding is seen");
 }
 
-// A joint whose offset makes nearly nothing of a direction, and a morph target that displaces vertices along it. What a renderer in float
-// rounds is a part of the displacements, not of their images; also where another mesh comes first, in whose frame the model is.
+// Checks a joint whose offset makes nearly nothing of a direction, and a morph target that displaces vertices along it. A
+// renderer in float rounds a part of the displacements, not of their images; also where another mesh comes first, in whose frame
+// the model is.
 void check_flattened_displacements() {
   const int power = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 9));
   const bool is_placed = *rc::gen::arbitrary<bool>();
@@ -794,14 +799,14 @@ void check_flattened_displacements() {
   if (!holds(bound_model(model, {.cluster_triangles = 0, .renderer_rounding = 0}).rest[0], places)) RC_TAG("rounding is seen");
 }
 
-// A half turn, but for this cosine of the quaternions.
+// Returns a half turn, but for this cosine of the quaternions.
 Eigen::Quaterniond nearly_half_a_turn(const Point3& axis, double cosine) {
   const Point3 sine = std::sqrt(1 - cosine * cosine) * axis.normalized();
   return Eigen::Quaterniond(cosine, sine[0], sine[1], sine[2]);
 }
 
-// Two joints below a base, of which the second one is half a turn from the first one, or nearly so, at the end of the clip: always, while
-// the base turns, or after it came there.
+// Checks two joints below a base, of which the second one is half a turn from the first one, or nearly so, at the end of the
+// clip: it is so all the time, while the base turns, or after it moved there.
 void check_both_signs() {
   const int power = *rc::gen::inRange(3, 13), sign = *rc::gen::element(-1, 0, 1, 1), kind = *rc::gen::inRange(0, 3);
   const double cosine = sign * std::pow(10.0, -power), first = *rc::gen::element(0.5, 0.25, 0.625, 0.9375);

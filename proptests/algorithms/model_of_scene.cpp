@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is refused of scenes that no file of the other tests can bring about.
+// Tests what is refused of scenes that no file of the other tests can contain.
 #include "algorithms/model/model_of_scene.hpp"
 
 #include <cmath>
@@ -46,7 +46,8 @@ aiNodeAnim* still(const char* name) {
   return channel;
 }
 
-// A root that has the two meshes, a skinned triangle and one without bones on the node "plain"; a clip of two channels.
+// Makes a scene whose root has the two meshes, a skinned triangle and one without bones on the node "plain", and a clip of two
+// channels.
 std::unique_ptr<aiScene> scene() {
   auto out = std::make_unique<aiScene>();
   out->mRootNode = node("root", nullptr);
@@ -129,7 +130,7 @@ std::vector<Broken> broken_scenes() {
   };
 }
 
-// The scene's joints if its mesh has two bones of one node, whose offsets differ by this length.
+// Returns the number of the scene's joints if its mesh has two bones of one node, whose offsets differ by this length.
 std::size_t joints_of_two_bones(double apart) {
   const auto s = scene();
   aiMesh& mesh = *s->mMeshes[0];

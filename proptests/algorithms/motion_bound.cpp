@@ -27,7 +27,7 @@ Box<double> box_of_vertices(const SkinnedMesh& model, const JointSets& sets, con
   return box;
 }
 
-// A box with a NaN encloses nothing here.
+// Says whether a box encloses another. A box with a NaN encloses nothing here.
 bool encloses(const Box<double>& outer, const Box<double>& inner) {
   for (int i = 0; i < 3; ++i)
     if (!(outer.low[i] <= inner.low[i] && outer.high[i] >= inner.high[i])) return false;
@@ -46,7 +46,7 @@ RigidTransform<double> random_placement(std::mt19937& random) {
   return {gen::random_rotation(random, 1), Point3(normal(random), normal(random), normal(random)) * far};
 }
 
-// Some of the joints have their origins elsewhere, so that they are far from the vertices, each by another way.
+// Puts the origins of some joints elsewhere, so that they are far from the vertices, each in another direction.
 void put_joints_far_away(SkinnedMesh& model, std::mt19937& random) {
   std::normal_distribution<double> normal;
   const double far = std::array{0., 0., 10., 1e5, 1e8, 1e12}[random() % 6];
@@ -69,7 +69,7 @@ void boxes_hold_their_vertices(Suite& t) {
               for (int frame = 0; frame < 4; ++frame) {
                 Pose pose = gen::random_pose(model, random, spread);
                 if (frame == 1) gen::spoil_lengths(pose, random);
-                // All turned together, so that relative rotations stay small.
+                // All joints are turned together, so that relative rotations stay small.
                 if (frame == 2)
                   for (auto& joint : pose) joint = compose(RigidTransform<double>{{0, 0.6, 0, 0.8}, {3, 4, 5}}, joint);
                 const auto placement = random_placement(random);
@@ -139,7 +139,8 @@ void swept_vertices_rigid_poses_and_many_joints(Suite& t) {
     const JointSets sets(model);
     bool ok = true;
     double least = infinite;
-    for (const double half : {0.2, 0.6, 1.0}) {  // radians that each joint turns, one this and one that way
+    // Each joint turns by this angle in radians, alternately to either side.
+    for (const double half : {0.2, 0.6, 1.0}) {
       const Pose pose{{{std::cos(half / 2), 0, 0, std::sin(half / 2)}, {0, 0, 0}},
                       {{std::cos(half / 2), 0, 0, -std::sin(half / 2)}, {0, 0, 0}}};
       for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
@@ -178,7 +179,7 @@ void swept_vertices_rigid_poses_and_many_joints(Suite& t) {
     return Checked(ok, 4);
   });
   t.example("more joints than a table of the widest pack holds, each where it belongs", {}, [] {
-    const Model creature = make_creature();  // 56 joints
+    const Model creature = make_creature();  // It has 56 joints.
     const JointSets sets(creature);
     bool ok = true;
     for (const Skinning skinning : all_skinnings) {

@@ -45,7 +45,7 @@ bool holds(const Box<double>& box, const std::vector<Point3>& points, std::span<
   return true;
 }
 
-// Of some nodes, by their position.
+// Holds the motion bounds of some nodes, by their position.
 struct NodeMotionBound {
   std::vector<MotionBoundPiecePack> packs;
   std::vector<FlippedBox> turned;
@@ -58,13 +58,13 @@ struct NodeMotionBound {
   NodeMotionBound(const Character& c, const std::vector<int>& nodes)
       : NodeMotionBound(make_motion_bound_packs(c, pieces_of_nodes(c, nodes)), nodes.size()) {}
 
-  // False if nothing is known of one.
+  // Bounds the nodes. Returns false if nothing is known of one of them.
   bool bound(MotionBound& motion_bound, const Pose& pose, const RigidTransform<double>& placement,
              Target target = best_target()) {
     return std::isfinite(motion_bound.box(pose, placement, target).low[0]) &&
            bound_again(motion_bound, pose, placement.translation, target);
   }
-  // The same in the pose and placement of the last box.
+  // Bounds them again in the pose and placement of the last box.
   bool bound_again(MotionBound& motion_bound, const Pose& pose, const Point3& translation, Target target = best_target()) {
     if (!motion_bound.boxes(packs, pose, turned, target)) return false;
     for (std::size_t n = 0; n < boxes.size(); ++n) {
@@ -146,7 +146,7 @@ void boxes_of_nodes_hold_their_vertices(Suite& t) {
       });
 }
 
-// Whether the boxes of all clusters hold their vertices, and those of wide nodes hold theirs.
+// Says whether the boxes of all clusters hold their vertices, and those of wide nodes hold theirs.
 bool are_clusters_held(ClusterBody& body, const std::vector<Point3>& points) {
   const ClusterTree& tree = body.tree();
   bool ok = true;
@@ -161,8 +161,8 @@ bool are_clusters_held(ClusterBody& body, const std::vector<Point3>& points) {
   return ok;
 }
 
-// Whether a body's boxes hold the motion bounds of its nodes, with all that these may be off by, where something is known of them. pose is
-// that of the last box.
+// Says whether a body's boxes hold the motion bounds of its nodes, with all that these may be off by, where something is known of
+// them. pose is that of the last box.
 bool are_motion_bounds_held(ClusterBody& body, MotionBound& motion_bound, const Pose& pose) {
   bool ok = true;
   for (int wide_node = 0; wide_node < static_cast<int>(body.tree().wide_nodes().size()); ++wide_node) {
@@ -223,7 +223,8 @@ void turning_joints_and_clusters_of_bodies(Suite& t) {
                 const Pose pose = gen::random_pose(c.mesh, random, spread);
                 const auto placement = random_placement(random);
                 body.begin(pose, placement);
-                if (frame == 1) {  // what is refused leaves the frame as it is
+                // A refusal leaves the frame as it is.
+                if (frame == 1) {
                   Pose bad = gen::random_pose(c.mesh, random, 3);
                   bad.back().rotation *= 2;
                   RC_ASSERT_THROWS_AS(body.begin(bad, placement), ModelError);
@@ -250,8 +251,10 @@ void rotations_off_unit_length(Suite& t) {
     bool ok = true;
     double farthest = 0;
     for (const double angle : {4e-5, 1e-4, 1e-3})
-      for (const int who : {0, 1, 2})                      // all joints, the first, the last
-        for (const double off : {0.0, -4.9e-7, 4.9e-7}) {  // what held of a frame does not hold of the next
+      // These joints are all, the first, and the last.
+      for (const int who : {0, 1, 2})
+        // A result for one frame does not hold for the next.
+        for (const double off : {0.0, -4.9e-7, 4.9e-7}) {
           RigidTransform<double> swing{{std::cos(angle / 2), 0, 0, std::sin(angle / 2)}, {0, 0, 0}};
           swing.translation = pivot - rotate(swing.rotation, pivot);
           const RigidTransform<double> about{{0, 0, 1, 0}, {0, 0, 0}};
@@ -321,7 +324,8 @@ void tiny_models_and_tight_boxes(Suite& t) {
   });
   t.example("the clusters of a walking man have boxes little larger than their vertices'", {}, [] {
     const auto man = bake_animated(make_man());
-    const ClusterTree tree(man, {.most_children = 96});  // one wide node
+    // It has one wide node.
+    const ClusterTree tree(man, {.most_children = 96});
     const int count = tree.wide_nodes()[0].child_count;
     std::string text = "sum of widths over that of the vertices' boxes: ";
     bool ok = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Skinned vertices between two moments of an animation.
+// Tests skinned vertices between two moments of an animation.
 #include "algorithms/bake/over_time/moving_vertices.hpp"
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 using namespace refitlab;
 using M = MultiprecisionInterval;
 
-// All vertices at a moment; nothing where the moment is ambiguous.
+// Returns all vertices at a moment, or nothing where the moment is ambiguous.
 std::optional<std::vector<Vec<M, 3>>> skinned(oracle::AnimatedSkin<M>& skin, const Model& model, double time, Side side) {
   try {
     skin.pose(time, side);
@@ -38,7 +38,7 @@ Vec<M, 3> exactly(const Point3& x) { return {M(x[0]), M(x[1]), M(x[2])}; }
 
 Skinning skinning_of(int i) { return std::array{Skinning::linear, Skinning::dual_quaternion, Skinning::spherical}[i]; }
 
-// Two joints below one node, the second of which turns about z from 0 to this angle (degrees) in a second.
+// Makes two joints below one node, the second of which turns about z from 0 to this angle (degrees) in a second.
 Model turning(double angle, int turned_joints = 1) {
   Model model;
   model.name = model.skeleton.file = "turning";
@@ -73,14 +73,15 @@ int depth_of(const Model& model, int joint) {
   return depth;
 }
 
-// A vertex of several joints, and the same vertex with one of these alone.
+// Checks a vertex of several joints against the same vertex with one of these alone.
 void check_errors_by_joints() {
   const auto plan = gen::draw_animated_plan(false);
   RC_LOG() << plan;
   RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
   const Model model = gen::animated_model(plan);
   const Animation& animation = model.clips[0].animation;
-  bool ends_above = false;  // the last joint is not the deepest one
+  // The last joint is not the deepest one.
+  bool ends_above = false;
   try {
     const AnimatedJoints joints(model, animation, false);
     const JointSets sets(model);
@@ -136,7 +137,7 @@ void errors_of_rounding(Suite& t) {
             const double start = joints.times()[part], end = joints.times()[part + 1];
             const double time = i == 0 ? start : i == 1 ? end : gen::time_within(start, end, random);
             const Side side = time == start ? Side::after : Side::before;
-            // What is not followed may be off: blends that may vanish.
+            // The placing of vertices that are not followed may be wrong, since their blends may vanish.
             if (!(moving.slack(joints.cell(part, time, time), Finite::may_be).chord < std::numeric_limits<double>::infinity()) &&
                 skinning == Skinning::dual_quaternion)
               continue;
@@ -179,7 +180,8 @@ void errors_of_rounding(Suite& t) {
       });
 }
 
-// Joints below one node, turned by up to this angle from one of them and moved by up to this distance, that all have a share of a vertex.
+// Makes joints below one node, turned by up to this angle from one of them and moved by up to this distance, that all have a
+// share of a vertex.
 Model joints_that_rest(int joints, double angle, double distance, std::mt19937& random) {
   std::uniform_real_distribution<double> side(-1, 1);
   const auto vector = [&] { return Point3(side(random), side(random), side(random)); };
@@ -236,7 +238,7 @@ void check_errors_of_weights() {
     }
     changed.back() += last, sum += std::abs(last);
     const double moved = (oracle::reweighted_vertex(model, skinning, posed->pose, changed) - x).norm();
-    // Rounding in double, and the blend that is shorter with the changed weights.
+    // The tolerances are for rounding in double, and for the blend that is shorter with the changed weights.
     RC_ASSERT(moved <= most * sum * (1 + 1e-4) + 1e-14 * most);
     is_near = is_near || moved > most * sum / 3;
   }
@@ -283,7 +285,7 @@ void what_renderers_and_weights_are_off_by(Suite& t) {
           const ErrorGrowth errors = moving.error_growth(cell);
           return std::pair{errors.per_weight, errors.per_rounding};
         };
-        // Two joints at halves, a right angle apart: the blend's squared length is (1 + cos 45 degrees) / 2.
+        // Two joints at halves are a right angle apart: the blend's squared length is (1 + cos 45 degrees) / 2.
         const double squared = (1 + std::sqrt(0.5)) / 2, right = 1 / std::sqrt(squared) + 1 / squared;
         const auto at_right = growth(90, 1, Skinning::dual_quaternion), linear = growth(90, 1, Skinning::linear),
                    still = growth(0, 1, Skinning::dual_quaternion), short_one = growth(176, 2, Skinning::dual_quaternion);
@@ -299,7 +301,8 @@ void what_renderers_and_weights_are_off_by(Suite& t) {
 void a_center_that_stays(Suite& t) {
   t.example("where a rotation center stays, since rotations hardly differ, it need not be where the images of a far vertex meet",
             {}, [] {
-              // The second joint turns by less than moves a center. Its translation puts the vertex back to where it was, so that both images are one.
+              // The second joint turns by less than the angle at which a center is moved. Its translation puts the vertex back to
+              // where it was, so that both images are one.
               const double angle = 0.9e-4, far = 1000;
               const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
               Model model = turning(0);
@@ -311,7 +314,7 @@ void a_center_that_stays(Suite& t) {
               const AnimatedJoints joints(model, model.clips[0].animation, true);
               const MovingVertices spherical(model, sets, Skinning::spherical, {0});
               const CellSlack slack = spherical.slack(joints.cell(0, 0, joints.times()[1]), Finite::must_be);
-              // Turned half as far about the origin, by its linear blend it would be on the chord of that arc.
+              // The vertex turns half as far about the origin. Its linear blend would be on the chord of that arc.
               const double off = far * (1 - std::cos(angle / 2));
               return Checked(
                   slack.followed == Followed::linear_blend && off > 1e-7 && slack.beyond[0] > off && slack.beyond[0] < 10 * off,
@@ -320,7 +323,8 @@ void a_center_that_stays(Suite& t) {
   t.example(
       "joints whose images are one at both ends of a time may come apart in between, and so may the vertex and its linear blend",
       {}, [] {
-        // The second joint swings out and back, as a spline from no turn to no turn: half-way by twice the angle of tangent 1/2.
+        // The second joint swings out and back, as a spline from no turn to no turn. Half-way it is turned by twice the angle of
+        // tangent 1/2.
         Model model = turning(0);
         NodeTrack& track = model.clips[0].animation.tracks[0];
         const Eigen::Quaterniond none = Eigen::Quaterniond::Identity(), rest(0, 0, 0, 0), there(0, 0, 0, 2), back(0, 0, 0, -2);
@@ -348,7 +352,8 @@ void what_is_not_followed_or_costs_nothing(Suite& t) {
     return false;
   });
   t.example("dual quaternions whose signs may change are not followed, but their linear blend is if it must", {}, [] {
-    const Model model = turning(220);  // beyond half a turn, at 9/11 of the second
+    // It is beyond half a turn at 9/11 of the second.
+    const Model model = turning(220);
     const JointSets sets(model);
     const AnimatedJoints joints(model, model.clips[0].animation, true);
     const MovingVertices dual(model, sets, Skinning::dual_quaternion, {0});
@@ -356,7 +361,7 @@ void what_is_not_followed_or_costs_nothing(Suite& t) {
     const CellSlack before = dual.slack(joints.cell(0, 0, 0.25), Finite::may_be),
                     there = dual.slack(joints.cell(3, 0.75, 1), Finite::may_be),
                     must = dual.slack(joints.cell(3, 0.75, 1), Finite::must_be);
-    // Afterwards, the other sign holds, by short intervals.
+    // Afterwards, the other sign holds, and short intervals show it.
     const CellSlack after = dual.slack(joints.cell(3, 0.99, 1), Finite::may_be);
     return before.followed == Followed::skinned && before.chord < 0.8 && there.chord == unknown &&
            must.followed == Followed::linear_blend && must.chord < 0.3 && must.beyond[0] > 0.5 && must.beyond[0] < unknown &&
@@ -369,7 +374,7 @@ void what_is_not_followed_or_costs_nothing(Suite& t) {
     const AnimatedJoints turning_two(two, two.clips[0].animation, true), turning_three(three, three.clips[0].animation, true);
     const MovingVertices of_two(two, sets_of_two, Skinning::dual_quaternion, {0}),
         of_three(three, sets_of_three, Skinning::dual_quaternion, {0});
-    // At 176 degrees, where signs stay.
+    // The joints are 176 degrees apart, where signs stay.
     const double shorter = of_two.slack(turning_two.cell(3, 0.95, 0.951), Finite::may_be).chord,
                  longer = of_two.slack(turning_two.cell(0, 0.05, 0.051), Finite::may_be).chord,
                  too_short = of_three.slack(turning_three.cell(3, 0.9263, 0.92631), Finite::may_be).chord,
@@ -396,7 +401,7 @@ void what_is_not_followed_or_costs_nothing(Suite& t) {
     Model model = turning(60);
     auto& animation = model.clips[0].animation;
     const Channel<Eigen::Vector3d> one{{{0, Eigen::Vector3d::Ones()}}};
-    // The base goes far and straight, which bends nothing.
+    // The base moves far and straight, which bends nothing.
     animation.tracks.push_back(
         {0, {{{0, Eigen::Vector3d::Zero()}, {1, Eigen::Vector3d(1e6, 0, 0)}}}, {{{0, Eigen::Quaterniond::Identity()}}}, one});
     const JointSets sets(model);

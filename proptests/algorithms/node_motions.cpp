@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How nodes of a skeleton move between two keys.
+// Tests how nodes of a skeleton move between two keys.
 #include "algorithms/bake/over_time/node_motions.hpp"
 
 #include <Eigen/SVD>
@@ -19,10 +19,10 @@ using namespace refitlab;
 using M = MultiprecisionInterval;
 using Jet = oracle::Jet<M>;
 
-// Certainly more than the bound by more than its rounding; tiny is what counts as nothing.
+// Says whether a length is certainly more than the bound, by more than its rounding. A length up to tiny counts as nothing.
 bool is_beyond(double length, double bound, double tiny) { return length > bound * (1 + 1e-9) + tiny; }
 
-// The greatest length of the image of a unit vector.
+// Returns the greatest length of the image of a unit vector.
 double stretch(const Eigen::Matrix3d& m) { return m.jacobiSvd().singularValues()[0]; }
 
 struct Derivatives {
@@ -46,7 +46,8 @@ Derivatives derivatives_of(const oracle::Placed<Jet>& placed) {
   return out;
 }
 
-// rate: how often lengths change per second, which says what counts as nothing.
+// Asserts that derivatives are within bounds. rate says how often lengths change per second, and so which of them count as
+// nothing.
 void moves_within(const Derivatives& d, const ChainMotion<double>& chain, double rate) {
   const auto bound = [](const Motion<double>& m, int order) {
     return order == 0 ? m.size : order == 1 ? m.speed : m.acceleration;
@@ -69,7 +70,7 @@ Model one_node(const Animation& animation) {
 
 Channel<Eigen::Vector3d> still(double x) { return {{{0, Eigen::Vector3d::Constant(x)}}}; }
 
-// A spline of rotations that starts and ends at 1 and goes out to one side and back from the other.
+// Makes a spline of rotations that starts and ends at 1, swings out to one side and comes back from the other.
 Channel<Eigen::Quaterniond> swinging(double duration, double tangent) {
   const Eigen::Quaterniond one = Eigen::Quaterniond::Identity();
   const Eigen::Quaterniond aside(0, tangent / duration, 0, 0);
@@ -127,7 +128,8 @@ void times_and_splines(Suite& t) {
     const double far = 900;
     Animation animation{"clip", 1, {{0, still(0), swinging(1, far), still(1)}}};
     const auto nodes = one_node(animation).skeleton.nodes;
-    // The swing alone would do as a whole; cut at 1/5 and 3/5 its middle is no longer on one side of its own ends' sum.
+    // The swing alone would be accepted as a whole. Cut at 1/5 and 3/5, its middle is no longer on one side of the sum of its own
+    // ends.
     animation.tracks[0].positions.keys = {{0.2, Eigen::Vector3d::Zero()}, {0.6, Eigen::Vector3d::Ones()}};
     const auto times = smooth_times("one", nodes, animation);
     bool good = times.size() > 4;
@@ -152,7 +154,8 @@ void known_speeds_and_rounding(Suite& t) {
     const Animation animation{
         "clip", 2, {{0, {{{0, Eigen::Vector3d::Zero()}, {2, Eigen::Vector3d(6, 0, 8)}}}, {{{0, one}, {2, third}}}, still(1)}}};
     const auto link = link_motions(one_node(animation).skeleton.nodes, animation, 0, 2)[0];
-    const double angle = std::acos(0.5) / 2;  // in R^4, per second
+    // The angle is in R^4, per second.
+    const double angle = std::acos(0.5) / 2;
     return link.offset.size == 10 && link.offset.speed == 5 && link.offset.acceleration == 0 && link.rotation.speed >= angle &&
            link.rotation.speed < 1.004 * angle && link.linear.speed >= 2 * angle && link.linear.speed < 2.008 * angle;
   });
@@ -163,7 +166,7 @@ void known_speeds_and_rounding(Suite& t) {
   });
 }
 
-// Offsets and vertices whose images cancel, in half of all cases, to nearly nothing.
+// Checks offsets and vertices whose images cancel to nearly nothing, in half of all cases.
 void check_lengths_of_images() {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   std::uniform_real_distribution<double> number(-1, 1);
@@ -189,7 +192,7 @@ void check_lengths_of_images() {
   const Rational computed(made.computed), summed = Rational(made.summed) * Rational(1 + 1e-12);
   RC_ASSERT(sq(computed) >= squared_norm(image));
   RC_ASSERT(sq(summed) >= squared_norm(image) && sq(summed) >= squared_norm(parts));
-  // Twice what is allowed for is too much.
+  // Twice the allowance is too much.
   const Rational less = computed - Rational(2 * rounding_of_image) * summed;
   RC_ASSERT(less <= 0 || sq(less) <= squared_norm(image));
 }
@@ -234,7 +237,7 @@ PROPTEST(node_motions) {
                 RC_TAG("undecided");
                 continue;
               }
-              // Of nodes that are not rigid there is no quaternion to be had but of tracks.
+              // A quaternion of a node that is not rigid can only be taken from its track.
               for (const NodeTrack& track : animation.tracks)
                 local[track.node].turn = oracle::unit<Jet>(oracle::at<Jet>(track.rotations, at, Jet(M(at), M(1), M(0)), side));
               const auto scene = oracle::scene_transforms<Jet>(model.skeleton, local);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Oriented boxes, in exact arithmetic wherever an orientation is given: rotations of rational quaternions are rational.
+// Tests oriented boxes, in exact arithmetic wherever an orientation is given: rotations of rational quaternions are rational.
 #include "algorithms/methods/volumes/obb.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using gen::RationalBalls;
 using gen::RationalQuaternion;
 using gen::RationalVec;
 
-// What a box is put around, and how it is turned.
+// Holds what a box is put around, and how it is turned.
 struct Content {
   RationalBalls balls;
   RationalQuaternion orientation;
@@ -36,7 +36,7 @@ Content draw() {
   return {list.balls, *gen::nonzero_quaternion()};
 }
 
-// A second box: often parallel to the first, or turned about one of its edges, so that products of edges vanish.
+// Draws a second box, which is often parallel to the first, or turned about one of its edges, so that products of edges vanish.
 Content draw_beside(const Content& a) {
   Content b = draw();
   const int kind = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 4));
@@ -70,7 +70,7 @@ Verdict overlap_by_all(const Content& a, const Content& b) {
   return verdict;
 }
 
-// The corners' least and greatest product with d.
+// Returns the least and the greatest product of d with the corners.
 std::pair<Rational, Rational> extent(const Obb<Rational>& box, const RationalVec<3>& d) {
   const auto corners = oracle::vertices(half_spaces(box));
   std::pair<Rational, Rational> out{dot(corners[0], d), dot(corners[0], d)};
@@ -81,7 +81,7 @@ std::pair<Rational, Rational> extent(const Obb<Rational>& box, const RationalVec
   return out;
 }
 
-// One of the 15 axes of the separating axis theorem, but 0.
+// Draws one of the 15 axes of the separating axis theorem that is not 0.
 RationalVec<3> draw_axis(const Obb<Rational>& a, const Obb<Rational>& b) {
   std::vector<RationalVec<3>> axes;
   for (const auto& x : a.axes) axes.push_back(x);
@@ -96,7 +96,8 @@ void check_common_point() {
   const Content a = draw(), b = draw_beside(a);
   const int kind = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 5));
   RationalVec<3> by = gen::hull_point(a.balls) - gen::hull_point(b.balls);
-  if (kind <= 1) {  // touching: one box's corner at the other's
+  // They touch: one box's corner is at the other's.
+  if (kind <= 1) {
     const auto of_a = oracle::vertices(half_spaces(a.box())), of_b = oracle::vertices(half_spaces(b.box()));
     by = of_a[*rc::gen::inRange<std::size_t>(0, of_a.size())] - of_b[*rc::gen::inRange<std::size_t>(0, of_b.size())];
     RC_TAG("at a corner");
@@ -105,7 +106,8 @@ void check_common_point() {
   RC_ASSERT(overlap_by_all(a, kind == 2 ? a : moved(b, by)) == Verdict::holds);
 }
 
-// Moved along an axis until there is a gap as seen along it, which may be a negative one.
+// Moves a box along an axis until there is a gap as seen along it, which may be a negative one, and checks the result against the
+// oracle.
 void check_against_oracle() {
   const Content a = draw(), b = draw_beside(a);
   const auto box_a = a.box(), box_b = b.box();
@@ -134,7 +136,7 @@ S worst_axis_error(const Obb<S>& box) {
   return worst;
 }
 
-// The corners of turned boxes: their volumes come back.
+// Says whether the corners of turned boxes give boxes of the same volumes.
 bool finds_a_turned_box() {
   std::mt19937_64 random(2006);
   std::uniform_real_distribution<double> uniform(-1, 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the experiment on bounds over time makes of a clip: the farthest places, clips several times over, and what gets out of bounds.
+// Tests what the experiment on bounds over time makes of a clip: the farthest places, clips played several times, and what leaves
+// its bounds.
 #include <algorithm>
 #include <cmath>
 
@@ -39,7 +40,7 @@ const ModelBounds& bounds() {
 
 double half() { return *rc::gen::inRange(-20, 20) / 2.; }
 
-// Along the way of a wall, which is the last one away from the center.
+// Returns the value along the direction of a wall; for the last one it is the distance from the center.
 double value_of(int wall, const Point3& p, const Point3& center) {
   return wall == ball_wall ? norm<double, 3>(p - center) : wall < 3 ? -p[wall] : p[wall - 3];
 }
@@ -48,10 +49,10 @@ ClipResult checked(const ModelBounds& some) {
   return check_clip(man(), sets(), some, 0, {.random_times = 60, .halvings = 4, .exact_checks = 3});
 }
 
-// The bound of the whole character (part 0) or of a cluster in the first clip.
+// Returns the bound of the whole character (part 0) or of a cluster in the first clip.
 BoundedPart& bound_of(ModelBounds& some, std::size_t part) { return some.clips[0].parts[compared_parts(some)[part]]; }
 
-// Closes in on the vertices from above, by a share of the box's height.
+// Lowers the top of a box by a share of its height.
 void lower(Box<float>& box, float share) { box.high[1] -= share * (box.high[1] - box.low[1]); }
 
 ModelBounds too_small(std::initializer_list<std::pair<std::size_t, float>> shares) {
@@ -207,7 +208,7 @@ void crossfades_are_compared_with_what_is_seen(Suite& t) {
     const std::size_t cluster = compared_parts(some)[1];
     for (const std::size_t p : {std::size_t{0}, cluster}) lower(some.crossfades[0].parts[p].box, 0.5F);
     const CrossfadeResult bad = check_crossfade(model, sets(), some, 0, settings);
-    // Of a ball around a place at the middle, all but that place is outside.
+    // All places but the center are outside of a ball without a radius.
     ModelBounds flat = bound_model(model, {.cluster_triangles = 0, .crossfades = true});
     flat.crossfades[0].parts[0].ball.radius = 0;
     const CrossfadeResult none = check_crossfade(model, sets(), flat, 0, settings);
@@ -222,7 +223,7 @@ void crossfades_are_compared_with_what_is_seen(Suite& t) {
     Model model = man();
     model.clips = {model.clips[0], model.clips[0]};
     ModelBounds some = bound_model(model, {.cluster_triangles = 512, .crossfades = true});
-    const CrossfadeSettings alone{.times = 9, .weights = 2};  // 0 and 1
+    const CrossfadeSettings alone{.times = 9, .weights = 2};  // The weights are 0 and 1.
     const long of_good = check_crossfade(model, sets(), some, 0, alone).out_of_both_clips;
     // All vertices but the lowest are above a box without height.
     for (BoundedClip& clip : some.clips)
@@ -232,7 +233,7 @@ void crossfades_are_compared_with_what_is_seen(Suite& t) {
   });
 }
 
-// The rows of a result file that have these cells one after another.
+// Counts the rows of a result file that have these cells one after another.
 long rows_with(const std::string& text, const std::string& cells) {
   long count = 0;
   for (std::size_t at = text.find(cells); at != std::string::npos; at = text.find(cells, at + 1)) ++count;

@@ -18,7 +18,7 @@ using namespace refitlab;
 
 constexpr Skinning kinds[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
-// A blend of quaternions that vanishes has no image: then both must say so.
+// Says whether two images are identical. A blend of quaternions that vanishes has no image, and then both must say so.
 bool are_identical(const Point3& a, const Point3& b) {
   for (int i = 0; i < 3; ++i)
     if (std::bit_cast<std::uint64_t>(a[i]) != std::bit_cast<std::uint64_t>(b[i]) && !(std::isnan(a[i]) && std::isnan(b[i])))
@@ -26,7 +26,7 @@ bool are_identical(const Point3& a, const Point3& b) {
   return true;
 }
 
-// Every group and the whole model, by every target, against skin().
+// Says whether every group and the whole model, by every target, are as skin() makes them.
 bool is_as_skin(const PackedVertices& packed, const SkinnedMesh& model, const JointSets& sets,
                 const SkinningPalette<double>& palette, Skinning skinning) {
   const auto expected = skin(model, sets, palette, skinning);

@@ -9,7 +9,7 @@ namespace {
 using namespace refitlab;
 using Pairs = std::vector<ClusterPair>;
 
-// Pairs (first, first + 100) and so on, as many as count says, in steps.
+// Returns the pairs (first, first + 100) and so on, as many as count says, in steps.
 Pairs pairs_from(int first, int count, int step = 1) {
   Pairs out;
   for (int i = 0; i < count; ++i) out.push_back({first + i * step, first + i * step + 100});
@@ -32,7 +32,7 @@ PROPTEST(pair_memory) {
   t.example("a pair that is known moves to the front, and no other is forgotten for it", {}, [] {
     PairMemory memory;
     for (const ClusterPair& pair : pairs_from(0, PairMemory::most)) memory.remember(pair);
-    memory.remember(ClusterPair{0, 100});  // the oldest
+    memory.remember(ClusterPair{0, 100});  // This is the oldest pair.
     Pairs expected = pairs_from(PairMemory::most - 1, PairMemory::most - 1, -1);
     expected.insert(expected.begin(), {0, 100});
     return memory.pairs() == expected;
@@ -69,7 +69,8 @@ PROPTEST(pair_memory) {
       found += std::to_string(count) + " ";
     };
     for (const long excess : {1L, 1000L, 5L, 1L, 1L, 0L, 1L, 1L, -7L, 3L}) memory.count_query(excess), count_whole();
-    memory.count_query(1), memory.count_query(0), count_whole();  // apart before all of them are through
+    // The bodies are apart before all of them are through.
+    memory.count_query(1), memory.count_query(0), count_whole();
     return Checked(found == "16 32 64 64 64 0 16 32 0 16 0 ", 11, found);
   });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates of touching triangles and their checker, proptests/certificate/check_pairs: what is true is accepted, and each
-// condition of the checker is needed for something false to be rejected.
+// Tests certificates of touching triangles and their checker, proptests/certificate/check_pairs: what is true is accepted, and
+// each condition of the checker is needed to reject something false.
 #include "algorithms/certificate/pairs_certificate.hpp"
 
 #include <array>
@@ -34,7 +34,7 @@ std::vector<TrianglePair> touching(const PosedBody& first, const PosedBody& seco
   return out;
 }
 
-// The document has these bodies, to the last bit, and these pairs.
+// Says whether the document has these bodies, to the last bit, and these pairs.
 bool is_about(const json& document, const PosedBody& first, const PosedBody& second, const std::vector<TrianglePair>& pairs) {
   bool all = document["contacts"].size() == pairs.size();
   for (const auto& [name, body] : {std::pair{"first", &first}, std::pair{"second", &second}}) {
@@ -74,7 +74,7 @@ void check_random_bodies() {
     if (!line.is_accepted()) RC_FAIL(line.text);
 }
 
-// What a query says of a character in two poses.
+// Checks what a query says of a character in two poses.
 Checked check_query(const Character& c, const Pose& pose, const Pose& other, Skinning skinning, const Point3& at) {
   const ClusterTree tree(c);
   ClusterBody a(tree, skinning), b(tree, skinning);
@@ -97,14 +97,14 @@ Checked check_file(const std::string& file) {
 
 // --- Forgeries ---
 
-// Two triangles of the first in the plane z = 0, and three of the second: two touch, and one is apart.
+// The first body has two triangles in the plane z = 0, and the second has three: two touch, and one is apart.
 const PosedBody flat{"flat", {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}}, {{0, 1, 2}, {1, 3, 2}}};
 const PosedBody upright{
     "upright", {{1, 1, -1}, {1, 1, 1}, {1, 2, 2}, {3, 3, 0}, {3, 3, 5}, {4, 3, 6}, {9, 9, 9}}, {{0, 1, 2}, {3, 4, 5}, {6, 6, 6}}};
 
 json honest() { return json::parse(pairs_certificate("", flat, upright, {{0, 0}, {1, 1}})); }
 
-// The place of the first step of a kind.
+// Returns the place of the first step of a kind.
 json& step_of(json& document, const std::string& kind) {
   for (json& step : document["steps"])
     if (step.is_object() ? kind == "plane" : step == kind) return step;
@@ -242,7 +242,7 @@ bool has_no_certificate(const PosedBody& first, const PosedBody& second, const s
   }
 }
 
-// The checker's words for a certificate against two documents.
+// Returns the checker's words for a certificate against two documents.
 std::string against(const std::string& first, const std::string& second) {
   const TemporaryFolder folder;
   const auto put = [&](const std::string& name, const std::string& text) {
@@ -255,16 +255,20 @@ std::string against(const std::string& first, const std::string& second) {
   return run.lines.empty() ? "" : run.lines[0];
 }
 
-// --- Refusals for size alone, of documents that prove nothing ---
+// --- Documents that are refused for their size alone, and prove nothing ---
 
 struct Size {
-  int first, second;             // triangles; the first body's are halved, then the second's: they are in 3 and 4 steps
-  int weights, plane, vertices;  // the most bits of each denominator of a contact, of a plane and of a body
-  int common;                    // the bits of the bodies' common denominator, or 0 if they do not matter
-  const char* reason;            // in the checker's words, or nothing
+  // These are the numbers of triangles. The first body's are halved, then the second's, in 3 and 4 steps.
+  int first, second;
+  // These are the most bits of each denominator of a contact, of a plane and of a body.
+  int weights, plane, vertices;
+  // These are the bits of the bodies' common denominator, or 0 if they do not matter.
+  int common;
+  // It is in the checker's words, or nothing.
+  const char* reason;
 };
 
-// The largest power that has no more bits than this.
+// Returns the largest power that has no more bits than this.
 CGAL::Gmpz power(int prime, int bits) {
   CGAL::Gmpz out(1);
   while (CGAL::Gmpz(out * prime).bit_size() <= static_cast<std::size_t>(bits)) out *= prime;
@@ -294,8 +298,8 @@ std::string sized(const Size& size) {
   return sealed(document);
 }
 
-// Whoever writes such a certificate says that the checker refuses it, for the same reason and with the same figures, or that it
-// does not. An even and an odd number are halved; 25^2 (3 4000 + 4 5000) is the limit.
+// Checks whether the writer of such a certificate predicts the checker's refusal, with the same reason and figures, or that there
+// is none. An even and an odd number are halved; 25^2 (3 4000 + 4 5000) is the limit.
 Checked check_sizes() {
   const char *work = "the proof takes too much work", *bits = "a common denominator has more than 8192 bits";
   const std::vector<Size> sizes = {{4000, 5000, 1136, 9, 9, 0, nullptr}, {4001, 5000, 1136, 9, 9, 0, work},

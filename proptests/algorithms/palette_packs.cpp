@@ -20,7 +20,7 @@ bool equal_lists(std::span<const Vec<double, D>> a, std::span<const Vec<double, 
   return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
-// Every number of rigid joints, but for the sign of a zero. There are none of affine joints.
+// Says whether all numbers of rigid joints are equal, but for the sign of a zero. There are none of affine joints.
 bool are_equal(const SkinningPalette<double>& a, const SkinningPalette<double>& b) {
   if (a.size() != b.size() || a.is_affine() || b.is_affine()) return false;
   for (std::size_t s = 0; s < a.size(); ++s) {
@@ -37,7 +37,7 @@ bool are_equal(const SkinningPalette<double>& a, const SkinningPalette<double>& 
 
 constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
-// A palette that holds nothing yet, joints of another mesh, or affine ones of this mesh, measured all of them.
+// Returns a palette that holds nothing yet, joints of another mesh, or affine ones of this mesh, all of which are measured.
 SkinningPalette<double> used_palette(const SkinnedMesh& mesh, const JointSets& sets, std::mt19937& random) {
   switch (random() % 3) {
     case 0: return {};
@@ -55,7 +55,7 @@ bool same(const PaletteRounding<double>& a, const PaletteRounding<double>& b) {
          a.weight_vertices.per_radius == b.weight_vertices.per_radius && a.weight_vertices.offset == b.weight_vertices.offset;
 }
 
-// That the palette is to be measured, and then has the roundings of one that make_skinning_palette fills.
+// Says whether the palette is still to be measured, and then has the roundings of one that make_skinning_palette fills.
 bool is_measured_anew(SkinningPalette<double>& palette, const SkinningPalette<double>& expected) {
   if (palette.is_measured()) return false;
   palette.measure();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The slack for rounding: that its rates are at least what the code's own operations can be off by, and not much more;
-// that the scales they are multiplied by bound what they claim to; and that no ball misses, in awkward cases.
+// Tests the slack for rounding: its rates are at least what the code's own operations can be off by, and not much more; the
+// scales that they are multiplied by bound what they claim to; and no ball misses, in awkward cases.
 //
-// The rates are compared with running error bounds of the same templates. In the rates, what weight vertices and blends
-// are off by turns a vertex once (palette_rounding.hpp); a running error would follow it into every product. So the
-// templates run on blends as they stand, and the blends' share is added by hand.
+// The rates are compared with running error bounds of the same templates. In the rates, the errors of weight vertices and blends
+// turn a vertex once (palette_rounding.hpp); a running error would follow them into every product. So the templates run on blends
+// as they stand, and the blends' share is added by hand.
 #include <algorithm>
 #include <cstdio>
 #include <random>
@@ -33,7 +33,7 @@ using Running = oracle::RunningError;
 constexpr double u = Running::u;
 constexpr int samples = 40000;
 
-// Numbers with all digits in use, some of them equal or 0 in a third of all draws, where sums are at their largest.
+// Draws numbers with all digits in use. Some of them are equal or 0 in a third of all draws, where sums are at their largest.
 class Draw {
  public:
   Running coordinate() {
@@ -49,7 +49,7 @@ class Draw {
       if (squared_norm(q) > 0.01) return convert<Running>(Quaternion<double>(q / norm(q)));
     }
   }
-  // Of unit length, up to 4 u, at most this far from another one.
+  // Returns a quaternion of unit length, up to 4 u, at most this far from another one.
   Quaternion<Running> near(const Quaternion<Running>& other, double distance) {
     Quaternion<double> q;
     for (int i = 0; i < 4; ++i) q[i] = other[i].value + distance * coordinate().value / 2;
@@ -63,9 +63,10 @@ class Draw {
 
 double length(const Vec<Running, 3>& v) { return std::hypot(v[0].value, v[1].value, v[2].value); }
 
-// A script's statement with a bound of this many u, given to Gappa to prove.
+// Says whether Gappa proves a script's statement with a bound of this many u.
 bool is_proved(const std::string& script, int bound) {
-  std::string text = read_whole("proptests/gappa/" + script + ".g");  // from the root of the repository
+  // The path is relative to the root of the repository.
+  std::string text = read_whole("proptests/gappa/" + script + ".g");
   const std::string place = "BOUND";
   const std::size_t at = text.rfind(place);
   if (at == std::string::npos) throw std::runtime_error("proptests/gappa/" + script + ".g: without a BOUND");
@@ -77,7 +78,7 @@ bool is_proved(const std::string& script, int bound) {
 }
 
 Checked check_elementary() {
-  // By component. norm_budget.hpp has rules for the vector.
+  // These bounds are for each component. norm_budget.hpp has rules for the vector.
   const std::pair<const char*, int> bounds[] = {
       {"squared_length", 5}, {"rotate", 24}, {"rotate_scaled", 24}, {"mix_weight", 6}, {"mix_numerator", 27}};
   bool passed = true;
@@ -91,8 +92,8 @@ Checked check_elementary() {
   return Checked(passed, std::size(bounds), text);
 }
 
-// The greatest share of an allowance that errors make use of: at most 1 for soundness, and at least a floor, as else the
-// allowance could be halved without anyone noticing. The floor is for cases without translations.
+// Records the greatest share of an allowance that errors make use of. It is at most 1 for soundness, and at least a floor, as
+// otherwise the allowance could be halved without anyone noticing. The floor is for cases without translations.
 class Share {
  public:
   explicit Share(double at_least) : at_least_(at_least) {}
@@ -114,10 +115,10 @@ class Share {
   long count_ = 0;
 };
 
-// Scales of n joints whose quaternions are alike, of this size.
+// Returns scales of n joints whose quaternions are equal, of this size.
 PaletteScales<double> scales(int n, double size) { return {double(n), size, size, 1, 0}; }
-// What is left of rates for coordinates of this length and scales of this size, less the shares of blends: so many times kappa
-// and ||x||, and so many times the size.
+// Returns what is left of rates for coordinates of this length and scales of this size, less the shares of blends: so many times
+// kappa and ||x||, and so many times the size.
 double left(const RoundingRates<double>& rates, double length, double of_length, double of_size, double size) {
   return rates.per_length * length + rates.offset - u * (of_length * length + of_size * size);
 }
@@ -130,7 +131,7 @@ Checked check_spherical_vertex() {
     const Vec<Running, 3> x = draw.point();
     const double size = length(blend.center_image);
     const auto placed = turn_and_place<Running>(blend, squared_norm(blend.rotation), x);
-    // x is off by 1, the blends by n.
+    // The error of x is 1 u, and that of the blends n u.
     share.see(error_length(placed), left(rounding_spherical(scales(2, size)).vertex, length(x), 1 + 4, 2, size), size == 0);
   }
   return share.checked();
@@ -161,7 +162,7 @@ AffineMap<Running> draw_map(Draw& draw, int i) {
 double matrix_length(const AffineMap<Running>& map) {
   return std::hypot(length(map.columns[0]), length(map.columns[1]), length(map.columns[2]));
 }
-// Scales of n affine joints, with matrices and offsets of these sizes.
+// Returns scales of n affine joints, with matrices and offsets of these sizes.
 PaletteScales<double> affine_scales(std::size_t n, double matrix, double offset) { return {double(n), 0, offset, 1, 0, matrix}; }
 
 Checked check_affine_vertex() {
@@ -184,7 +185,7 @@ Checked check_affine_vertex() {
   return share.checked();
 }
 
-// The factor that a radius is stretched by, of joints with factors so great that the blended matrix counts.
+// Checks the factor by which a radius is stretched, for joints with factors so great that the blended matrix counts.
 Checked check_affine_stretch() {
   Draw draw;
   Share share(0.2);
@@ -211,7 +212,7 @@ Checked check_dual_quaternion_vertex() {
     const BlendedDuals<Running> blend{draw.unit(), draw.unit() * Running(translation / 2)};
     const Vec<Running, 3> v = draw.point();
     const auto placed = move_rigidly<Running>(blend, squared_norm(blend.rotation), v);
-    // The blends are off by n each, which turns by 2 n and moves by n of d and n of q.
+    // The blends have errors of n each, which turn by 2 n and move by n of d and n of q.
     share.see(error_length(placed), left(rounding_dual_quaternion(scales(1, translation)).vertex, length(v), 2, 2, translation),
               translation == 0);
   }
@@ -222,7 +223,7 @@ RoundingRates<double> difference(const PaletteRounding<double>& r) {
   return {r.weight_vertices.per_length - r.vertex.per_length, 0, r.weight_vertices.offset - r.vertex.offset};
 }
 
-// Simplices of near weight vertices of unit length: emits their control balls by way of the halving code.
+// Draws simplices of near weight vertices of unit length, and returns their control balls by way of the halving code.
 template <class Piece, class WeightVertex, class MakeWeightVertex>
 std::vector<Ball3<Running>> control_balls_of(Piece piece, double distance, Draw& draw, MakeWeightVertex make) {
   ControlLists<Running> lists;
@@ -245,7 +246,8 @@ Checked check_spherical_weight_vertices() {
           size = std::max(size, length(weight_vertex.center_image));
           return weight_vertex;
         });
-    // x is off by 1; weight vertices by n + 4, which turns twice that, and a cap's angle by more: 2.25 times is allowed for.
+    // The error of x is 1. Weight vertices have errors of n + 4, which turn by twice that, and a cap's angle by more: 2.25 times
+    // is allowed for.
     const double allowance = left(difference(rounding_spherical(scales(1, size))), length(x), 1 + 2.25 * 5, 5, size);
     for (const auto& b : balls) share.see(error_length(b.center), allowance, size == 0);
   }
@@ -260,11 +262,13 @@ Checked check_cap() {
     std::vector<Quaternion<Running>> unit;
     for (int k = 0; k < 3; ++k) {
       unit.push_back(draw.near(first, i % 3 ? 0.6 : 0.05));
-      for (int c = 0; c < 4; ++c) unit.back()[c].error = 5 * u * std::abs(unit.back()[c].value);  // of their normalisation
+      // Their normalisation has this error.
+      for (int c = 0; c < 4; ++c) unit.back()[c].error = 5 * u * std::abs(unit.back()[c].value);
     }
     const std::span<const Quaternion<Running>> span(unit);
     Quaternion<Running> direction = mean_center(span);
-    for (int c = 0; c < 4; ++c) direction[c].error = 0;  // any direction will do
+    // Any direction is allowed.
+    for (int c = 0; c < 4; ++c) direction[c].error = 0;
     const RotationBound<Running> bound = bound_rotations(span, direction);
     const Vec<Running, 3> x = draw.point();
     const Vec<Running, 3> offset = rotate<Running>(bound.apex, x) * bound.center_ratio;
@@ -292,7 +296,7 @@ Checked check_dual_quaternion_weight_vertices() {
   return share.checked();
 }
 
-// A distance and a radius, measured and raised: relative to the sum, against the sixteen u of rounded_up.
+// Checks the radius that a distance and a radius are raised to, relative to their sum, against the sixteen u of rounded_up.
 Checked check_measured_radius() {
   Draw draw;
   Share share(0.5);
@@ -308,7 +312,7 @@ Checked check_measured_radius() {
 
 Rational as_rational(double x) { return Rational(x); }
 
-// A case with rotations off unit length, as those read from floats are, or by all that is accepted; the images and dual
+// Returns a case with rotations off unit length, as those read from floats are, or by all that is accepted. The images and dual
 // parts stay.
 gen::RefitCase with_stretched_rotations(gen::RefitCase c) {
   for (gen::SetCase& set : c.sets)
@@ -318,7 +322,7 @@ gen::RefitCase with_stretched_rotations(gen::RefitCase c) {
   return c;
 }
 
-// Of the joint-sets of awkward cases in doubles, in exact numbers.
+// Checks the scales of the joint-sets of awkward cases in doubles, in exact numbers.
 void check_scales() {
   const gen::RefitCase c = with_stretched_rotations(gen::rounded_to_double(*gen::refit_case(gen::Turns::any)));
   RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
@@ -329,7 +333,8 @@ void check_scales() {
     const auto& exact = c.sets[s].palette;
     const std::size_t n = exact.transforms.size();
     RC_ASSERT(scales.joints == double(n));
-    const Rational longest = sq(1 + as_rational(scales.unit_defect));  // of a quaternion, squared, or more
+    // This is at least the squared length of a quaternion.
+    const Rational longest = sq(1 + as_rational(scales.unit_defect));
     for (std::size_t j = 0; j < n; ++j) {
       RC_ASSERT(squared_norm(exact.center_images[j]) <= sq(as_rational(scales.center_image)));
       RC_ASSERT(squared_norm(exact.transforms[j].translation) * longest <= sq(as_rational(scales.translation)));
@@ -346,14 +351,14 @@ void check_scales() {
     for (const auto& w : weights) {
       Quaternion<Rational> blend = exact.transforms[0].rotation * w[0];
       for (std::size_t j = 1; j < n; ++j) blend = blend + exact.transforms[j].rotation * w[j];
-      // A blend that is computed may be shorter by n u.
+      // A computed blend may be shorter by n u.
       const Rational shorter = Rational(1) - Rational(long(n)) * as_rational(u) * as_rational(scales.inverse_blend);
       RC_ASSERT(squared_norm(blend) * sq(shorter) >= least * longest);
     }
   }
 }
 
-// Of joints that turn alike, whose blends are of unit length.
+// Checks joints that turn alike, whose blends are of unit length.
 Checked check_kappa_of_many() {
   long cases = 0;
   for (const int n : {1, 2, 64, 1000, 10000}) {
@@ -368,7 +373,7 @@ Checked check_kappa_of_many() {
   return Checked(true, cases);
 }
 
-// Every sound variant of a kind of skinning, its ball taken as it stands.
+// Checks every sound variant of a kind of skinning, and takes its ball as it stands.
 void check_no_miss(Skinning skinning) {
   const gen::RefitCase c = with_stretched_rotations(gen::rounded_to_double(*gen::refit_case(gen::Turns::any)));
   RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
@@ -376,7 +381,8 @@ void check_no_miss(Skinning skinning) {
   for (const RefitVariant& variant : compared_variants()) {
     if (!variant.sound || variant.skinning != skinning) continue;
     const Ball3<double> ball = variant.refit(storage.node());
-    if (ball.radius == HUGE_VAL) continue;  // all of space
+    // Such a ball is all of space.
+    if (ball.radius == HUGE_VAL) continue;
     RC_ASSERT(ball.center.allFinite() && std::isfinite(ball.radius));
     const Ball3<Rational> exact{convert<Rational>(ball.center), Rational(ball.radius)};
     const Ball3<float> small = rounded_outward(ball);
@@ -387,7 +393,7 @@ void check_no_miss(Skinning skinning) {
   }
 }
 
-// All nodes of a model in a pose: what a variant adds to its ball is at least what its pieces' rates ask for; and the
+// Checks all nodes of a model in a pose: what a variant adds to its ball is at least what its pieces' rates ask for; and the
 // node's reference ball, and that of one of its joint-set's pieces, have each vertex, exactly.
 Checked check_nodes() {
   const auto c = bake_animated(make_snake(24));

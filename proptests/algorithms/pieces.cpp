@@ -43,8 +43,8 @@ std::vector<oracle::Row> weight_vertices_of(const RefitNode<double>& node, const
   return rows;
 }
 
-// Exactly. For more than four weights a simplex search is too slow: there the weight vertices are rows, or those of a
-// weight box.
+// Says exactly whether w is in the hull. For more than four weights a simplex search is too slow: there the weight vertices are
+// rows, or those of a weight box.
 bool in_hull(const std::vector<oracle::Row>& weight_vertices, const oracle::Row& w) {
   if (w.size() <= 4 || std::find(weight_vertices.begin(), weight_vertices.end(), w) != weight_vertices.end())
     return oracle::as_convex_combination(weight_vertices, w).has_value();
@@ -59,7 +59,7 @@ bool in_ball(const Ball3<double>& ball, const Point3& v) {
   return encloses<Rational, 3>(exact, convert<Rational>(v)) == Verdict::holds;
 }
 
-// What is wrong with a node's pieces; empty if nothing is. At most `most` of its vertices are looked at.
+// Returns what is wrong with a node's pieces, or nothing. At most `most` of its vertices are looked at.
 std::string fault(const Rig& rig, const PieceTable& table, int n, const PieceOptions& options, std::size_t most) {
   const auto share = static_cast<int>(options.pieces_per_joint_set * rig.tree.nodes[n].piece_count);
   const int most_pieces = std::max(options.most_pieces, share);
@@ -95,8 +95,8 @@ std::string fault(const Rig& rig, const PieceTable& table, int n, const PieceOpt
   return "";
 }
 
-// Pieces with and without vertices in place of the cheap ones: which of a node's pieces are listed vertex by vertex has to
-// follow from their vertices and weight vertices alone. Counts the pieces of both kinds.
+// Compares pieces with and without vertices in place of the cheap ones. Which of a node's pieces are listed vertex by vertex has
+// to follow from their vertices and weight vertices alone. Counts the pieces of both kinds.
 struct Listed {
   std::string wrong;
   long listed = 0, kept = 0;
@@ -104,7 +104,8 @@ struct Listed {
 void compare_lists(const Rig& rig, const PieceTable& plain, const PieceTable& mixed, double factor, int n, Listed& out) {
   const auto before = plain.refit_node(rig.tree, n, rig.palette), after = mixed.refit_node(rig.tree, n, rig.palette);
   std::vector<bool> found(after.pieces.size());
-  const auto find = [&](auto&& is_it) {  // in any order
+  // The pieces come in any order.
+  const auto find = [&](auto&& is_it) {
     for (std::size_t at = 0; at < found.size(); ++at)
       if (!found[at] && is_it(after.pieces[at], after.piece_reference(at))) {
         found[at] = true;
@@ -140,7 +141,7 @@ void compare_lists(const Rig& rig, const PieceTable& plain, const PieceTable& mi
   if (out.wrong.empty() && std::find(found.begin(), found.end(), false) != found.end()) out.wrong = "there are further pieces";
 }
 
-// Of vertices alone: each becomes a triangle of one point, and the tree is one leaf.
+// Makes a rig of vertices alone: each becomes a triangle of one point, and the tree is one leaf.
 struct Vertex {
   Point3 at;
   std::vector<Influence> influences;
@@ -160,7 +161,7 @@ Rig rig_of(const std::vector<Vertex>& vertices, int joints, MorphTargets targets
   return Rig(std::move(m), {.triangles_per_leaf = 1 << 20});
 }
 
-// Of a piece at the root: its joint-set, its radius, how far its weight vertices' first weights are apart.
+// Describes a piece at the root: its joint-set, its radius, and how far its weight vertices' first weights are apart.
 struct RootPiece {
   std::vector<int> joints;
   double radius, weight_range;
@@ -182,13 +183,14 @@ std::vector<RootPiece> root_pieces(const Rig& rig, const PieceOptions& options) 
 }
 
 const std::vector<Influence> rigid{{2, 1.0}};
-std::vector<Influence> blended(int part, int of) {  // from 1 to of - 1
+// Returns influences of the weight part / of, for a part from 1 to of - 1.
+std::vector<Influence> blended(int part, int of) {
   const double w = std::floor(0x1p24 * part / of) * 0x1p-24;
   return {{0, w}, {1, 1 - w}};
 }
 
-// A ring of rigid vertices of this radius, and 32 vertices along the x axis whose weights, in an order that has nothing to
-// do with their places, run from `least` of 64 parts in steps of one.
+// Makes a ring of rigid vertices of this radius, and 32 vertices along the x axis. The weights of these have no relation to their
+// places, and run from `least` of 64 parts in steps of one.
 std::vector<Vertex> ring_and_row(double ring, double row_length, int least) {
   std::vector<Vertex> out;
   for (int k = 0; k < 16; ++k) out.push_back({{ring * std::cos(k * 0.392699), ring * std::sin(k * 0.392699), 0}, rigid});
@@ -272,7 +274,8 @@ void what_is_split_and_how(Suite& t) {
   t.example("a full change of weight counts as the node's radius: weights are split where they vary more than places do", {}, [] {
     // The rigid ring's spread is its radius, 10; the row's 4 and half of 10: less. With a row of 14 or a ring of 2 it is more.
     const auto sizes = [](const std::vector<Vertex>& vertices, int most) {
-      std::array<int, 2> count{0, 0};  // of the ring, of the row
+      // These are the numbers of vertices of the ring and of the row.
+      std::array<int, 2> count{0, 0};
       for (const RootPiece& p : root_pieces(rig_of(vertices, 3), {most})) ++count[p.joints.size() == 1 ? 0 : 1];
       return count;
     };
@@ -281,10 +284,10 @@ void what_is_split_and_how(Suite& t) {
     bool by_weight = true;  // 10 half ways apart is more than a row of 1
     for (const RootPiece& p : root_pieces(rig_of(ring_and_row(10, 1, 16), 3), {12}))
       if (p.joints.size() == 2) by_weight = by_weight && p.weight_range < 0.3;
-    bool by_place = true;  // but less than a row of 14
+    bool by_place = true;  // The weights count less than a row of 14.
     for (const RootPiece& p : root_pieces(rig_of(ring_and_row(10, 14, 16), 3), {3}))
       if (p.joints.size() == 2) by_place = by_place && p.weight_range > 0.4 && p.radius < 4;
-    // A quarter of the radius counts 2.5: the row of 14 is less than the ring then, that of 18 is not.
+    // A quarter of the radius counts 2.5: the row of 14 then counts less than the ring, that of 18 does not.
     const auto root_sizes = [&](double row) {
       std::array<int, 2> count{0, 0};
       const PieceOptions options{.most_pieces = 3, .weight_extent = 0.25};
@@ -336,7 +339,8 @@ void what_is_split_and_how(Suite& t) {
   });
 }
 
-// Vertices of one joint. A target moves all of them alike, half of them one way and half the other way, or one alone.
+// Checks vertices of one joint. A target moves all of them alike, half of them in one direction and half in the other, or one
+// alone.
 void check_displaced_vertices() {
   const auto pick = [](int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); };
   const int count = pick(2, 20);
@@ -344,7 +348,8 @@ void check_displaced_vertices() {
   MorphTargets targets{pick(1, 9), {}};
   for (int v = 0; v < count; ++v) vertices.push_back({{pick(-100, 101) / 100., pick(-100, 101) / 100., 1. * v}, rigid});
   targets.of_vertex.resize(vertices.size());
-  double apart = 0;  // the radii of all targets' displacements
+  // These are the radii of all targets' displacements.
+  double apart = 0;
   for (int target = 0; target < targets.count; ++target) {
     const int kind = pick(0, 3);
     const double far = pick(1, 100) / 1000.;
@@ -371,7 +376,7 @@ void what_is_listed_by_its_vertices(Suite& t) {
   t.holds("a piece is listed by its vertices if all morph targets together take these farther apart than said, and they are few",
           {.number_type = "double", .cases = 200, .tags_at_least = {{"listed", 0.15}, {"kept", 0.3}}}, check_displaced_vertices);
   t.example("what is better listed by its vertices is not split, but counts as a piece", {}, [] {
-    // Three blended vertices, far apart, against the four control points of their two weight vertices, twice; and a
+    // There are three blended vertices, far apart, against the four control points of their two weight vertices, twice; and a
     // rigid ring.
     std::vector<Vertex> vertices = ring_and_row(1, 0, 0);
     vertices.resize(16);
@@ -390,7 +395,8 @@ void what_is_listed_by_its_vertices(Suite& t) {
                 for (const RootPiece& p : root_pieces(rig_of(vertices, 3), options)) ++(p.radius > 0 ? balls : points);
                 return std::array{balls, points};
               };
-              // A rigid ring beside a blended row: the node is not split, and of its two pieces only the rigid one may be listed.
+              // A rigid ring is beside a blended row: the node is not split, and of its two pieces only the rigid one may be
+              // listed.
               const std::vector<Vertex> mixed = ring_and_row(10, 8, 16);
               const auto kept = pieces(mixed, 15, 8), listed = pieces(mixed, 16, 8);
               const bool good = pieces(row, 63, 1) == std::array{1, 0} && pieces(row, 64, 1) == std::array{0, 64} &&

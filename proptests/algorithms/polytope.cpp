@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Volume and surface area of polytopes, of k-DOPs that are known solids and of random ones.
+// Tests volume and surface area of polytopes, of k-DOPs that are known solids and of random ones.
 #include "algorithms/methods/volumes/polytope.hpp"
 
 #include <cmath>
@@ -40,7 +40,7 @@ bool is_solid(const RationalBalls& balls, const Rational& volume, double surface
          std::abs(rounded.surface_area() - surface_area) < 1e-12;
 }
 
-// Of the 26-DOP's box, the share of random points that are in the 26-DOP, against its volume.
+// Compares the share of random points of the 26-DOP's box that are in the 26-DOP with its volume.
 Checked count_points() {
   std::mt19937_64 random(2006);
   std::normal_distribution<double> normal;
@@ -62,13 +62,14 @@ Checked count_points() {
     const double share = dop.volume() / box.volume();
     deviation += (double(inside) / points - share) / std::sqrt(share * (1 - share) / points);
   }
-  const double z = deviation / std::sqrt(double(lists));  // of the standard normal distribution
+  // It follows the standard normal distribution.
+  const double z = deviation / std::sqrt(double(lists));
   char text[100];
   std::snprintf(text, sizeof text, "counted minus computed: %.2f standard deviations", z);
   return Checked(std::abs(z) < 4, lists * points, text);
 }
 
-// All faces moved outward by h: the volume grows by h times the surface area, and by a square of h.
+// Moves all faces outward by h, and says whether the volume grows by h times the surface area, and by a multiple of h^2.
 bool grows_by_its_surface() {
   std::mt19937_64 random(2006);
   std::normal_distribution<double> normal;
@@ -103,7 +104,8 @@ PROPTEST(polytope) {
     const double root2 = std::sqrt(2.0), root3 = std::sqrt(3.0);
     const auto triangle = as_balls({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
     const auto square = as_balls({{3, 0, 0}, {3, 2, 0}, {3, 0, 2}, {3, 2, 2}});
-    const auto oblique = as_balls({{1, 0, 0}, {0, 1, 0}, {1, 0, 2}, {0, 1, 2}});  // in x + y = 1
+    // They are in the plane x + y = 1.
+    const auto oblique = as_balls({{1, 0, 0}, {0, 1, 0}, {1, 0, 2}, {0, 1, 2}});
     return is_solid<14>(triangle, 0, root3) && is_solid<26>(triangle, 0, root3) && is_solid<6>(square, 0, 8) &&
            is_solid<26>(square, 0, 8) && is_solid<18>(oblique, 0, 4 * root2) && is_solid<26>(oblique, 0, 4 * root2) &&
            is_solid<26>(as_balls({{1, 2, 3}}), 0, 0) && is_solid<26>(as_balls({{1, 2, 3}, {1, 2, 5}}), 0, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Posed bodies: their vertices are the doubles that skinning and placing all of a mesh makes.
+// Tests posed bodies: their vertices are the doubles that skinning and placing all of a mesh makes.
 #include "algorithms/certificate/posed_body.hpp"
 
 #include "algorithms/bake/bake.hpp"
@@ -18,7 +18,7 @@ void check_posed() {
   RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
   SkinnedMesh mesh = gen::make_mesh(plan);
   const std::size_t used = mesh.vertices.size();
-  mesh.vertices.push_back({7, 8, 9});  // of no triangle
+  mesh.vertices.push_back({7, 8, 9});  // It belongs to no triangle.
   mesh.influences.push_back(mesh.influences[0]);
   const auto c = bake(std::move(mesh));
   std::mt19937 random(plan.seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The built-in models: their sizes, that the skin is one closed surface, its weights, and the two clips.
+// Tests the built-in models: their sizes, that the skin is one closed surface, its weights, and the two clips.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
@@ -22,7 +22,8 @@ using namespace refitlab;
 struct Expected {
   Model (*make)();
   std::size_t triangles, joints;
-  double low, high;  // of the skin, metres above the ground
+  // These are the limits of the skin, in metres above the ground.
+  double low, high;
   std::vector<std::string> twisted;
 };
 
@@ -50,7 +51,7 @@ Checked for_each_model(const std::function<Checked(const Model&, const Expected&
   return all;
 }
 
-// Directed edges a -> b of the triangles.
+// Returns the directed edges a -> b of the triangles.
 std::multiset<std::pair<int, int>> directed_edges(const Model& m) {
   std::multiset<std::pair<int, int>> edges;
   for (const Triangle& t : m.triangles)
@@ -58,7 +59,7 @@ std::multiset<std::pair<int, int>> directed_edges(const Model& m) {
   return edges;
 }
 
-// Every edge belongs to two triangles that run through it in opposite directions.
+// Says whether every edge belongs to two triangles that run through it in opposite directions.
 bool is_closed_and_oriented(const Model& m) {
   const auto edges = directed_edges(m);
   return std::all_of(edges.begin(), edges.end(), [&](const std::pair<int, int>& e) {
@@ -66,9 +67,10 @@ bool is_closed_and_oriented(const Model& m) {
   });
 }
 
-// The triangles around each vertex form one ring (with the edges' property: the surface is a manifold).
+// Says whether the triangles around each vertex form one ring. (With the edges' property, the surface is then a manifold.)
 bool has_one_ring_a_vertex(const Model& m) {
-  std::vector<std::map<int, int>> next(m.vertices.size());  // around v: from one neighbour to the next
+  // Entry v leads around v from one neighbour to the next.
+  std::vector<std::map<int, int>> next(m.vertices.size());
   for (const Triangle& t : m.triangles)
     for (int k = 0; k < 3; ++k) next[t[k]][t[(k + 1) % 3]] = t[(k + 2) % 3];
   for (const auto& ring : next) {
@@ -110,7 +112,7 @@ double volume(const Model& m) {
   return sum;
 }
 
-// In degrees.
+// Returns the smallest angle of a triangle, in degrees.
 double smallest_angle(const Model& m, const Triangle& t) {
   double smallest = 180;
   for (int k = 0; k < 3; ++k) {
@@ -128,7 +130,7 @@ double weight_of(const Model& m, int vertex, int joint) {
   return 0;
 }
 
-// The largest change of a weight between the ends of an edge.
+// Returns the largest change of a weight between the ends of an edge.
 double largest_weight_step(const Model& m) {
   double largest = 0;
   for (const auto& [a, b] : directed_edges(m))
@@ -140,7 +142,7 @@ const Clip& clip(const Model& m, const std::string& name) {
   return *std::find_if(m.clips.begin(), m.clips.end(), [&](const Clip& c) { return c.name == name; });
 }
 
-// The largest absolute difference of a component; the rotations as written, with their signs.
+// Returns the largest absolute difference of a component. Rotations are compared with their signs.
 double difference(const Pose& a, const Pose& b) {
   double largest = 0;
   for (std::size_t j = 0; j < a.size(); ++j) {
@@ -151,7 +153,7 @@ double difference(const Pose& a, const Pose& b) {
   return largest;
 }
 
-// The angle in degrees, in [0, 180], by which a joint is turned against its parent.
+// Returns the angle in degrees, in [0, 180], by which a joint is turned against its parent.
 double turned_against_parent(const Model& m, const Pose& pose, int joint) {
   const Quaternion<double> relative = multiply(conjugate(pose[m.joints[joint].parent].rotation), pose[joint].rotation);
   return 2 * std::atan2(norm(imaginary(relative)), std::abs(relative[0])) * 180 / std::numbers::pi;
@@ -172,7 +174,7 @@ bool same(const Model& a, const Model& b) {
          std::equal(a.influences.begin(), a.influences.end(), b.influences.begin(), b.influences.end(), same_list);
 }
 
-// Times of a clip, its ends included.
+// Returns times of a clip, its ends included.
 std::vector<double> times_of(const Clip& c) {
   std::vector<double> times;
   for (int i = 0; i <= 24; ++i) times.push_back(c.duration * i / 24);
@@ -201,7 +203,8 @@ void numbers_of_triangles_and_joints(Suite& t) {
           component_count(m) != 1 || !(volume(m) > 0) || sets < joints || sets > 2 * joints || pose.size() != m.joints.size())
         return Checked(false, snakes, m.name);
       const JointSets in(m);
-      make_skinning_palette(m, in, pose, Skinning::spherical);  // throws for a pose that is not rigid
+      // This throws for a pose that is not rigid.
+      make_skinning_palette(m, in, pose, Skinning::spherical);
       ++snakes;
     }
     try {
@@ -268,7 +271,8 @@ void weights_of_joints(Suite& t) {
     return for_each_model([](const Model& m, const Expected&) {
       std::size_t most = 0;
       long single = 0;
-      double least = 1;  // weight: they fade out rather than end
+      // This is the least weight: they fade out rather than end.
+      double least = 1;
       for (const auto& list : m.influences) {
         most = std::max(most, list.size()), single += list.size() == 1;
         for (const Influence& i : list) least = std::min(least, i.weight);
@@ -341,7 +345,8 @@ void clips_keep_joints_together_and_turn_smoothly(Suite& t) {
 
   t.example("the joints turn without sudden changes of speed", {}, [] {
     return for_each_model([](const Model& m, const Expected&) {
-      double largest = 0;  // second difference of a component of a quaternion, at steps of a thousandth
+      // This is the second difference of a component of a quaternion, at steps of a thousandth.
+      double largest = 0;
       for (const Clip& c : m.clips)
         for (int i = 1; i < 1000; ++i) {
           const Pose last = c.sample(c.duration * (i - 1) / 1000), now = c.sample(c.duration * i / 1000),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program as its users call it: baked files hold vertices that are skinned by formulas of the file's own, and what is wrong is
-// refused by a line, an exit code, and without a file that is half written.
+// Tests the program as its users call it: baked files hold vertices that are skinned by formulas of the file's own. What is wrong
+// is refused with a line and an exit code, and leaves no file that is half written.
 #include "algorithms/program/program.hpp"
 
 #include <sys/resource.h>
@@ -38,7 +38,7 @@
 #include "proptests/oracles/all_pairs.hpp"
 #include "proptests/oracles/checked_folder.hpp"
 
-// What the system calls, which is too short for a file to be tested by.
+// The system calls this main function, which is too short for a file that tests it.
 #define main refitlab_main
 #include "algorithms/program/main.cpp"
 #undef main
@@ -69,7 +69,7 @@ bool is_in_ball(const json& ball, const Eigen::Vector3d& p) {
   return (p - Eigen::Vector3d(ball[0], ball[1], ball[2])).norm() <= ball[3].get<double>();
 }
 
-// Numbers of so many bytes each, the lowest first, in base 64.
+// Decodes numbers of so many bytes each, the lowest first, from base 64.
 std::vector<int> numbers_of(const std::string& text, std::size_t size = 2) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::vector<int> bytes, out;
@@ -98,7 +98,7 @@ bool is_in_slabs(const json& directions, const json& slabs, const Eigen::Vector3
 
 json description_of(const std::string& path) { return json::parse(read_glb(read_whole(path), path)[0].data); }
 
-// A baked file of all features at once, in a folder of its own.
+// Holds a baked file of all features at once, in a folder of its own.
 struct Rich {
   explicit Rich(bool uneven, bool moving, const std::vector<std::string>& more = {}) : gltf(uneven, moving) {
     write_whole(folder.file("in.glb"), gltf.file.binary_file());
@@ -111,7 +111,7 @@ struct Rich {
   Called called;
 };
 
-// A baked file whose clusters are changed.
+// Writes a baked file whose clusters are changed.
 void tamper(const std::string& path, const std::string& to, const std::function<void(BakedFile&)>& change) {
   BakedFile baked = read_baked(path);
   change(baked);
@@ -119,7 +119,7 @@ void tamper(const std::string& path, const std::string& to, const std::function<
   chunks.back().data = chunk_of(baked);
   write_whole(to, glb_of(chunks, to));
 }
-// A baked file of a skinning that there is not: the first number of the chunk's body, behind 28 bytes of a header.
+// Writes a baked file with a skinning that does not exist, as the first number of the chunk's body, behind 28 bytes of a header.
 void give_no_skinning(const std::string& path, const std::string& to) {
   std::vector<GlbChunk> chunks = read_glb(read_whole(path), path);
   const std::string& chunk = chunks.back().data;
@@ -130,7 +130,7 @@ void give_no_skinning(const std::string& path, const std::string& to) {
   chunks.back().data = sealed(chunk.substr(0, 8), version, body);
   write_whole(to, glb_of(chunks, to));
 }
-// A file whose description is changed.
+// Writes a file whose description is changed.
 void redescribe(const std::string& path, const std::string& to, const std::function<void(json&)>& change) {
   std::vector<GlbChunk> chunks = read_glb(read_whole(path), path);
   json description = json::parse(chunks[0].data);
@@ -239,7 +239,8 @@ void balls_for_any_pose(Suite& t) {
       });
 }
 
-// The weight of the moment at which a vertex leaves its bound most in a crossfade, or -1 if what is said has no weight, or no time of each clip.
+// Returns the weight of the moment at which a vertex leaves its bound most in a crossfade, or -1 if the output has no weight, or
+// no time of each clip.
 double weight_of_moment(const std::string& said, const BakedFile& baked) {
   static const std::regex moment(R"( at (-?[0-9.]+) s and (-?[0-9.]+) s, weight (-?[0-9.]+))");
   std::smatch found;
@@ -320,7 +321,7 @@ void crossfades(Suite& t) {
     const Called called = call({"bake", "--for", "crossfade", "--rotations", "nlerp", "--crossfade-tolerance", "0.5",
                                 "--clusters", "128", in, out}),
                  checked = call({"check", "--samples", "100", out});
-    // Of some clusters, a vertex is farthest out in the midst of the crossfade.
+    // A vertex of some clusters is farthest out in the midst of the crossfade.
     std::string found;
     bool are_found = true;
     double greatest_weight = 0;
@@ -346,8 +347,8 @@ void crossfades(Suite& t) {
   });
 }
 
-// Two triangles of one joint, and a clip of three seconds for each axis. In the first second the first clip turns the joint about its
-// axis, in the second the second, and so on; else it stays.
+// Makes two triangles of one joint, and a clip of three seconds for each axis. In the first second the first clip turns the joint
+// about its axis, in the second the second, and so on; otherwise it does not turn.
 Model make_turning(double degrees, const std::vector<Eigen::Vector3d>& axes) {
   Model model = gen::model_of_nodes("turning", {{"a", -1, Eigen::Matrix4d::Identity()}});
   model.vertices = {{1, 0, 0}, {2, 0, 0.5}, {1.5, 0, 0.5}, {2, 0, -0.5}};
@@ -363,7 +364,7 @@ Model make_turning(double degrees, const std::vector<Eigen::Vector3d>& axes) {
   return model;
 }
 
-// The time at which a vertex is farthest outside, or -1 if none is.
+// Returns the time at which a vertex is farthest outside, or -1 if none is.
 double time_of_farthest(const std::string& said) {
   static const std::regex moment(R"(farthest: .* at (-?[0-9.]+) s)");
   std::smatch found;
@@ -378,7 +379,7 @@ void what_leaves_its_box_between_keys(Suite& t) {
     write_gltf(make_turning(170, {z, z, z}), in);
     const Called called = call({"bake", "--clusters", "4", in, out}), checked = call({"check", "--samples", "20", out});
     bool good = called.code == 0 && checked.code == 0 && time_of_farthest(checked.out) == -1 &&
-                checked.out.find("nodes of the tree") == std::string::npos;  // of which there are no bounds
+                checked.out.find("nodes of the tree") == std::string::npos;  // There are no bounds of such nodes.
     std::string found;
     for (std::size_t clip = 0; clip < 3; ++clip) {
       tamper(out, bad, [&](BakedFile& baked) {
@@ -394,7 +395,8 @@ void what_leaves_its_box_between_keys(Suite& t) {
   });
 }
 
-// What is said of the rest pose: on how many places, how many are outside, how many undecided, and what follows.
+// Holds what is said of the rest pose: the number of places, how many are outside, how many are undecided, and the rest of the
+// line.
 struct SaidOfRest {
   long places, outside, undecided;
   std::string more;
@@ -432,7 +434,7 @@ void check_counts_vertices(Suite& t) {
             });
 }
 
-// That what is written of three clips' crossfades, in the summary and in the file, is of the clips that it names.
+// Returns what is wrong unless the summary and the file say of three clips' crossfades what belongs to the clips that they name.
 std::string wrong_of_crossfades(const json& summary, const json& file) {
   std::string wrong;
   const auto expect = [&](bool is_so, const std::string& what) {
@@ -527,7 +529,7 @@ void crossfades_of_three_clips(Suite& t) {
                  checked = call({"check", "--samples", "50", out});
     if (called.code != 0 || checked.code != 0) return Checked(false, 0, called.errors + checked.out);
     std::string wrong = wrong_of_crossfades(json::parse(read_whole(to)), description_of(out));
-    // A crossfade's box that is one clip's is left in the other clip, by that crossfade alone.
+    // A crossfade's box that is that of one clip is left in the other clip, by that crossfade alone.
     long tried = 0;
     for (std::size_t fade = 0; fade < 3; ++fade)
       for (const bool is_first : {true, false}) {
@@ -552,7 +554,7 @@ void crossfades_of_three_clips(Suite& t) {
   });
 }
 
-// Three joints, of which each clip scales the second by factors that are evenly spread over a second.
+// Makes three joints, of which each clip scales the second by factors that are evenly spread over a second.
 Model make_scaling(const std::vector<std::vector<double>>& factors_of_clips) {
   const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
   Model model = gen::model_of_nodes("scaling", {{"a", -1, identity}, {"b", -1, identity}, {"c", -1, identity}});
@@ -584,7 +586,7 @@ void info_says_which_clips_are_rigid(Suite& t) {
   t.example("a clip is not rigid that scales a joint at one of many keys alone", {}, [] {
     const TemporaryFolder folder;
     std::vector<std::vector<double>> clips = {std::vector<double>(33, 1)};
-    // None of these is a quarter of the clip, nor the next key to one.
+    // None of these is a quarter of the clip, nor the key next to one.
     for (const std::size_t k : {2, 5, 12, 19, 30}) clips.push_back(clips[0]), clips.back()[k] = 2;
     write_gltf(make_scaling(clips), folder.file("in.glb"));
     const Called info = call({"info", folder.file("in.glb")});
@@ -616,7 +618,7 @@ void info_counts_what_is_in_a_file(Suite& t) {
     const std::string line = out + ": " + std::to_string(triangles) + " triangles in " +
                              std::to_string(read_baked(out).clusters.clusters.size()) +
                              " clusters, 1 clips, 0 crossfades, linear skinning; ";
-    // Else a number could be another one.
+    // Otherwise one number could stand for another.
     const bool differ = model.joints.size() != model.skeleton.nodes.size() && triangles != model.vertices.size();
     return Checked(info.code == 0 && info.out.starts_with(expected.str()) && rich.called.out.starts_with(line) && differ, 2,
                    info.out + rich.called.out);
@@ -715,7 +717,7 @@ void what_is_said_of_a_file(Suite& t) {
   });
 }
 
-// Two triangles below a node that a clip scales by 0, from its start to its end.
+// Makes two triangles below a node that a clip scales by 0, from its start to its end.
 Model make_hidden() {
   Model model = gen::model_of_nodes("hidden", {{"a", -1, Eigen::Matrix4d::Identity()}});
   model.vertices = {{1, 0, 0}, {0, 1, 0.5}, {1, 1, 0}, {0, 0, 1}};
@@ -726,7 +728,7 @@ Model make_hidden() {
   return model;
 }
 
-// The same triangles below a node that goes aside and back between two times of a clip, and stays before and after.
+// Makes the same triangles below a node that moves aside and back between two times of a clip, and stays before and after.
 Model make_swing(double duration, double start, double end) {
   Model model = make_hidden();
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
@@ -756,7 +758,7 @@ void what_sampling_misses(Suite& t) {
       const SampledMisses by_keys = misses_of_sampling(model, bounds, 0, Sampling::keys),
                           by_rate = misses_of_sampling(model, bounds, 0, Sampling::fixed_rate);
       if (by_keys.clusters != 0) wrong += "missed by keys; ";
-      // By three units of a box of one.
+      // The vertex leaves a box of one unit by three units.
       const bool is_found = by_rate.clusters == 1 && by_rate.worst == 0 && std::abs(by_rate.by - 3) < 1e-9 &&
                             std::abs(by_rate.time - (s.start + s.end) / 2) < 1e-9;
       if (s.is_missed ? !is_found : by_rate.clusters != 0)
@@ -776,15 +778,15 @@ void what_sampling_misses(Suite& t) {
   });
 }
 
-// What a report's page shows.
+// Returns the data that a report's page shows.
 json data_of_page(const std::string& page) {
   const std::string before = "const data = ";
   const std::size_t start = page.find(before) + before.size();
   return json::parse(page.substr(start, page.find(";\n", start) - start));
 }
 
-// Three joints with four triangles each, farther from the origin one after the other. In the first clip each turns farther than the one
-// before, and in the second the second alone turns.
+// Makes three joints with four triangles each, each farther from the origin than the one before. In the first clip each turns
+// farther than the one before, and in the second only the second turns.
 Model make_turning_parts() {
   const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
   Model model = gen::model_of_nodes("parts", {{"a", -1, identity}, {"b", -1, identity}, {"c", -1, identity}});
@@ -811,7 +813,7 @@ Model make_turning_parts() {
   return model;
 }
 
-// What a page says of one clip that is not of these misses, or a box that is not of these parts.
+// Returns what a page says of one clip that is not about these misses, or a box that is not of these parts.
 std::string wrong_of_clip(const json& said, const Model& model, const ModelBounds& bounds, std::size_t clip) {
   std::string wrong;
   for (const auto& [name, sampling] : {std::pair("keys", Sampling::keys), std::pair("rate", Sampling::fixed_rate)}) {
@@ -902,7 +904,7 @@ void reports_and_progress(Suite& t) {
       }
       if (!clip.contains("chart")) continue;
       ++charts;
-      // With the sign of the side that the chart is of, all is the higher, the farther it is out.
+      // With the sign of the side that the chart shows, a value is the higher, the farther out it is.
       const double sign = clip["chart"]["low"].get<bool>() ? -1 : 1;
       const std::vector<double> keys = clip["chart"]["keys"];
       double last = -1, of_keys = -1e300, of_all = of_keys;
@@ -949,7 +951,7 @@ void collide_writes_pairs_and_certificates(Suite& t) {
               };
               std::string found;
               long total = 0;
-              // Also at the clip's start and its end.
+              // The times include the clip's start and its end.
               for (const auto& [offset, time] : {std::pair(0.0625, 1.25), {0.5, 1.25}, {0.0625, 0.0}, {0.0625, 2.0}}) {
                 const auto a = points_at(time, {0, 0, 0}), b = points_at(0.5, {offset, -0.03, -0.01});
                 const auto expected = oracle::all_pairs(triangles, a, triangles, b).size();
@@ -1002,7 +1004,8 @@ void collide_writes_pairs_and_certificates(Suite& t) {
   });
 }
 
-// A file of a triangle that one of three joints moves by a matrix, and of the same one, so far away, that the others hold.
+// Makes a file of a triangle that one of three joints moves by a matrix, and of the same triangle, so far away, which the others
+// hold.
 std::string file_of_moved(const TemporaryFolder& folder, const std::string& name, const Eigen::Matrix4d& by,
                           const std::vector<Point3>& corners, double away) {
   const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
@@ -1027,7 +1030,7 @@ void collide_scales_before_it_turns(Suite& t) {
       by.topLeftCorner<3, 3>() = turn * factors.asDiagonal();
       std::vector<Point3> moved;
       for (const Point3& p : corners) moved.push_back((by * p.homogeneous()).head<3>());
-      // A triangle that crosses the moved one in the middle, and no other.
+      // This triangle crosses the moved one in the middle, and no other.
       const Point3 middle = (moved[0] + moved[1] + moved[2]) / 3, side = (moved[1] - moved[0]).normalized() / 32,
                    up = side.cross(Point3(moved[2] - moved[0])).normalized() / 8;
       const std::string first = file_of_moved(folder, "moved.glb", by, corners, 1000),
@@ -1066,7 +1069,8 @@ void strange_names_and_joints(Suite& t) {
   t.example("collide takes joints as they are, be they rigid but for a thousandth", {}, [] {
     const TemporaryFolder folder;
     long touching = 0;
-    // A triangle at x = 100, by a joint of this scale, and one from 100.05 to 100.2 that crosses where it then is.
+    // There is a triangle at x = 100, by a joint of this scale, and one from about 100.06 to 100.25 that crosses it where it is
+    // after scaling by 1.001.
     for (const double scale : {1.0, 1.001}) {
       const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
       Eigen::Matrix4d local = identity;
@@ -1362,7 +1366,7 @@ void names_that_would_leave_their_line(Suite& t) {
     const std::string name = "walk\\x0arest pose: 0 outside\\x1b[2J\\x7f é";
     const bool good = info.out.find("#1 " + name + ": ") != std::string::npos && bake.code == 0 && check.code == 0 &&
                       check.out.find("clip '" + name + "': ") != std::string::npos && check.out.find('\x1b') == std::string::npos;
-    // So are those of the files themselves, also where there is none.
+    // The names of the files themselves are escaped too, also where there is none.
     const std::string colored = rich.folder.file("a\x1b[31mb.glb"), gone = rich.folder.file("c\x1b[31md.glb");
     std::filesystem::copy_file(in, colored);
     const Called named = call({"info", colored}), missing = call({"info", gone});
@@ -1426,12 +1430,12 @@ void parts_without_a_ball_for_any_pose(Suite& t) {
                           clip.errors.find(note) == std::string::npos && whole.code == 0 &&
                           whole.errors.find(note) == std::string::npos && unwritable.code == 3 &&
                           unwritable.errors.find("/never.json: cannot write: Not a directory") != std::string::npos &&
-                          unwritable.errors.find(note) == std::string::npos;  // which it says once the bounds are there
+                          unwritable.errors.find(note) == std::string::npos;  // The program says this once the bounds are there.
         return Checked(good, 5, called.errors + whole.errors + unwritable.errors);
       });
 }
 
-// Whether a call exits with this code, says this and writes no file out. If not, what it did is added to wrong.
+// Says whether a call exits with this code, says this and writes no file. If not, what it did is added to wrong.
 bool is_refused(int code, const std::vector<std::string>& arguments, const std::string& reason, const std::string& out,
                 std::string& wrong) {
   const Called called = call(arguments);
@@ -1499,7 +1503,8 @@ void wrong_calls_and_files(Suite& t) {
                   fails(3, {"bake", folder.file("none.glb"), out}, "none.glb") && fails(3, {"check", in}, "it was not baked") &&
                   fails(3, {"check", folder.file("")}, folder.file("") + ": file: cannot be read") &&
                   fails(3, {"collide", "--clip-a", "none", rigid, rigid}, "clip 'none'") &&
-                  fails(3, {"bake", "--skinning", "dual-quaternion", in, out}, "skin matrix") &&  // its joints scale unevenly
+                  // Its joints scale unevenly.
+                  fails(3, {"bake", "--skinning", "dual-quaternion", in, out}, "skin matrix") &&
                   fails(3, {"bake", in, in + "/x.glb"}, "in.glb");
               for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 97) {
                 write_whole(broken, bytes.substr(0, size));
@@ -1534,7 +1539,7 @@ void wrong_calls_and_files(Suite& t) {
                          },
                          "nodes: they are not of this file's vertices") &&
                      fails(2, {"collide", "--clip-a", "move", "--time-a", "5", rigid, rigid}, "the clip goes from 0 to 2");
-              // Extras that are no object.
+              // The extras are no object.
               const std::vector<GlbChunk> chunks = read_glb(bytes, in);
               json description = json::parse(chunks[0].data);
               description["meshes"][0]["extras"] = 7;

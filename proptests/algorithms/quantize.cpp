@@ -14,7 +14,7 @@ namespace {
 using namespace refitlab;
 using Weights = std::vector<std::pair<int, double>>;
 
-// Zeros, shares of a few digits as files have them, and any magnitude that a double can have.
+// Draws zeros, shares of a few digits as files have them, and any magnitude that a double can have.
 rc::Gen<double> weight() {
   const auto full = [](int low, int high) { return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); };
   return rc::gen::weightedOneOf<double>(
@@ -24,7 +24,7 @@ rc::Gen<double> weight() {
        {1, rc::gen::apply([](int m, int e) { return std::ldexp(m, e); }, full(1, 1 << 30), full(-1100, 990))}});
 }
 
-// Half of the lists are plain: up to four joints, each once, with weights of 8 bits.
+// Draws a list of weights. Half of the lists are plain: up to four joints, each once, with weights of 8 bits.
 Weights draw() {
   if (*rc::gen::arbitrary<bool>()) {
     Weights list = *rc::gen::mapcat(rc::gen::inRange(1, 5), [](int n) {
@@ -42,7 +42,7 @@ Weights draw() {
   return list;
 }
 
-// The share of each joint, exactly.
+// Returns the share of each joint, exactly.
 std::map<int, Rational> shares_of(const Weights& weights) {
   std::map<int, Rational> by_joint;
   Rational sum(0);
@@ -93,7 +93,8 @@ PROPTEST(quantize) {
             const Weights in = draw();
             classify(in);
             auto left = shares_of(in);
-            Weights lost = {{-1, 1.0}};  // what was there before goes
+            // This was there before, and is replaced.
+            Weights lost = {{-1, 1.0}};
             const Weights kept = quantize_weights(in, &lost);
             RC_ASSERT(kept == quantize_weights(in));
             for (const auto& [joint, weight] : kept) RC_ASSERT(left.erase(joint) == 1u);
@@ -103,7 +104,7 @@ PROPTEST(quantize) {
               RC_ASSERT(abs(left[joint] - Rational(share)) <= left[joint] * Rational(1e-14) + Rational(5e-324));
               left.erase(last = joint);
             }
-            // The others have none, or one that is 0 beside the greatest in double.
+            // The other joints have no share, or one that is 0 beside the greatest in double.
             for (const auto& [joint, share] : left) RC_ASSERT(share < Rational(std::numeric_limits<double>::min()));
             if (!lost.empty()) RC_TAG("lost");
           });

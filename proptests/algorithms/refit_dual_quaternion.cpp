@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Refitting for dual quaternion skinning: the control balls hold every vertex, exactly in rationals where no root is
+// Tests refitting for dual quaternion skinning: the control balls hold every vertex, exactly in rationals where no root is
 // needed, and by intervals on the fallback.
 #include <optional>
 
@@ -8,7 +8,7 @@
 #include "proptests/oracles/nearest_point.hpp"
 #include "proptests/refits/control_balls.hpp"
 
-// There is no rational for it.
+// all_of_space throws this, because there is no rational for it.
 struct Unbounded {};
 namespace refitlab {
 template <>
@@ -37,7 +37,7 @@ void assert_holds(const RefitCase& c, const std::vector<Ball3<S>>& balls, Verdic
   oracle::assert_holds<DualQuaternionHull, S>(c, balls, at_least);
 }
 
-// A joint-set's weight vertices blend to 0 somewhere, by a slow search; nothing if it has too many for it.
+// Says whether a joint-set's weight vertices blend to 0 somewhere, by a slow search; nothing if it has too many for it.
 std::optional<bool> may_vanish(const gen::SetCase& set) {
   std::vector<gen::RationalQuaternion> weight_vertices;
   for (const auto& w : set.weights.vertices) weight_vertices.push_back(blend_quaternion<Rational>(set.palette, w));
@@ -57,7 +57,7 @@ void check_hull() {
   }
 }
 
-// Dual quaternions as weight vertices, of any length and not of unit norm: what a node's weight vertices never are all
+// Returns dual quaternions as weight vertices, of any length and not of unit norm, which a node's weight vertices never are all
 // at once.
 DualQuaternionBlend<Rational> any_weight_vertices() {
   const auto blend = (*gen::blend_case(*rc::gen::element(gen::Spread::any, gen::Spread::positive), 4)).blend;
@@ -66,7 +66,7 @@ DualQuaternionBlend<Rational> any_weight_vertices() {
   return out;
 }
 
-// A joint-set by hand: all of its weights, and a vertex with a ball of radius 1/2.
+// Makes a joint-set by hand, with all of its weights, and a vertex with a ball of radius 1/2.
 RefitCase by_hand(const std::vector<gen::RationalTransform>& joints) {
   gen::SetCase set;
   set.palette.transforms = joints;
@@ -184,7 +184,8 @@ PROPTEST(refit_dual_quaternion) {
             if (!piece.is_bounded()) {
               const auto u = nearest_point_coefficients<4>(blend.rotations);
               const auto nearest = combine<Rational, 4>(u, blend.rotations);
-              RC_ASSERT(squared_norm(nearest) < Rational(1, 10));  // or a bound was there to be found
+              // Otherwise there was a bound to be found.
+              RC_ASSERT(squared_norm(nearest) < Rational(1, 10));
               return;
             }
             const auto rounded = oracle::middles(lists.cap.balls);

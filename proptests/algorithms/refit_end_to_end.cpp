@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every sound refit variant on nodes of whole models, against vertices that are skinned exactly and as skin() does: none
-// may be outside, not by the last bit. What the slack for rounding is for is counted beside it: how many are outside
-// without it.
+// Tests every sound refit variant on nodes of whole models, against vertices that are skinned exactly and as skin() does. None
+// may be outside, exactly. Besides, it counts how many would be outside without the slack for rounding.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -26,7 +25,8 @@ using namespace refitlab;
 
 constexpr int nodes_per_pose = 200, vertices_per_node = 16;
 
-// Two times of each of at most three clips, none of them a key time, where poses tend to be too simple.
+// Returns the poses at two times of each of at most three clips. None of the times is a key time, where poses tend to be too
+// simple.
 std::vector<Pose> poses_of(const AnimatedCharacter& c) {
   std::vector<Pose> out;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, c.clips.size()); ++i)
@@ -39,14 +39,14 @@ struct Tally {
   long vertices = 0, misses = 0, float_misses = 0, skinned_misses = 0, misses_without_slack = 0;
 };
 
-// Of the double ball, its numbers taken as they are. Exact, as squares.
+// Says exactly whether the ball has the vertex, by squares. The ball's numbers are taken as they are.
 bool has(const Ball3<double>& ball, const Point3& v) {
   const Ball3<Rational> exact{convert<Rational>(ball.center), Rational(ball.radius)};
   const Verdict quick = encloses(Ball3<Interval>{convert<Interval>(ball.center), Interval(ball.radius)}, convert<Interval>(v));
   return (quick == Verdict::undecided ? encloses(exact, convert<Rational>(v)) : quick) == Verdict::holds;
 }
 
-// The first nodes, which carry many joint-sets, and random others.
+// Returns the first nodes, which carry many joint-sets, and random others.
 std::vector<int> some_nodes(const Character& c, std::mt19937& random) {
   const int n = static_cast<int>(c.tree.nodes.size());
   std::vector<int> out;
@@ -61,7 +61,7 @@ Checked check_model(Model model) {
   std::map<std::string, Tally> tallies;
   for (const Pose& pose : poses_of(c))
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion}) {
-      // Hejl's rotation center changes the palette, not the bound: spherical variants must hold for it too.
+      // Hejl's rotation center changes the palette, not the bound, so that spherical variants must hold for it too.
       const Skinning bounded = skinning == Skinning::hejl ? Skinning::spherical : skinning;
       const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
       const auto skinned = skin(c.mesh, c.sets, palette, skinning);
@@ -105,7 +105,7 @@ Checked check_model(Model model) {
   return Checked(passed, vertices, text);
 }
 
-// Every node and vertex of a small character, by all sound variants: what is accepted is bounded.
+// Checks every node and vertex of a small character, by all sound variants: what is accepted is bounded.
 void check_wide() {
   const auto plan = *gen::wide_plan(-1074, 130);
   RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
@@ -161,7 +161,7 @@ PROPTEST(refit_end_to_end) {
       check_wide);
   t.example(sentence + std::string("the procedural man"), options, [] { return check_model(make_man()); });
   t.example(sentence + std::string("the procedural creature"), options, [] { return check_model(make_creature()); });
-  // Relative to the root of the repository, from where the tests are run.
+  // The path is relative to the root of the repository, from where the tests are run.
   const std::filesystem::path folder = "out/models";
   for (const char* file : real_models)
     t.example(sentence + std::string(file), options, [=] {

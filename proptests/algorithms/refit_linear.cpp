@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Refitting for linear blending.
+// Tests refitting for linear blending.
 #include "algorithms/runtime/refit/linear.hpp"
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness/harness.hpp"
@@ -21,7 +21,7 @@ struct Linear {
   }
 };
 
-// A vertex that is certainly outside fails, and with `all_decided` one that is not certainly inside.
+// Asserts that no vertex is certainly outside. With `all_decided`, each must be certainly inside.
 void check_enclosure(Blending blending, bool all_decided) {
   const RefitCase c = *gen::refit_case(gen::Turns::any);
   RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
@@ -54,8 +54,8 @@ PROPTEST(refit_linear) {
       "a half-way twist of 180 degrees leaves the linear ball: the linear vertex sinks to the axis, the spherical one "
       "does not",
       {.number_type = "rational"}, [] {
-        // p = (0, 1, 0) halfway between the identity and a half-turn about x, weights (1/2, 1/2): the linear ball is
-        // the point 0.
+        // The vertex p = (0, 1, 0) is halfway between the identity and a half-turn about x, with weights (1/2, 1/2): the linear
+        // ball is the point 0.
         RefitCase c;
         c.reference = {{0, 1, 0}, Rational(0)};
         c.sets.emplace_back();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Result files: what a reader of RFC 4180 finds in them is what was added.
+// Tests result files: a reader of RFC 4180 finds in them what was added.
 #include "algorithms/results/result_file.hpp"
 
 #include <cmath>
@@ -15,19 +15,20 @@ namespace {
 using namespace refitlab;
 using Rows = std::vector<std::vector<std::string>>;
 
-// Text in which every character that CSV gives a meaning is likely.
+// Draws text in which every character that CSV gives a meaning is likely.
 std::string draw_text() {
   return *rc::gen::container<std::string>(rc::gen::weightedOneOf<char>(
       {{3, rc::gen::element(',', '"', '\n', '\r')}, {2, rc::gen::inRange('a', 'z')}, {1, rc::gen::arbitrary<char>()}}));
 }
 
-// The records of a CSV text whose lines all end. A quote begins a quoted field only at its start, and is doubled inside it.
+// Returns the records of a CSV text whose lines all end. A quote begins a quoted field only at its start, and is doubled inside
+// it.
 Rows records(const std::string& text) {
   Rows rows;
   for (std::size_t i = 0; i < text.size();) {
     rows.emplace_back();
     do {
-      i += !rows.back().empty();  // past the comma
+      i += !rows.back().empty();  // This skips the comma.
       std::string& field = rows.back().emplace_back();
       if (text.at(i) == '"') {
         for (++i; text.at(i) != '"' || text.at(i + 1) == '"'; ++i) {
@@ -83,7 +84,7 @@ PROPTEST(result_file) {
     if (std::isnan(number)) RC_ASSERT(std::isnan(read) && text == (std::signbit(number) ? "-nan" : "nan"));
     else RC_ASSERT(std::memcmp(&read, &number, sizeof read) == 0);
     if (!std::isfinite(number)) return;
-    // The fewest digits that read back as the number.
+    // The text is the one with the fewest digits that reads back as the number.
     char few[40];
     for (int digits = 1;; ++digits) {
       std::snprintf(few, sizeof few, "%.*e", digits - 1, number);

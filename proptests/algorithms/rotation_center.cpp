@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rotation centers, against a stacked least-squares solution and against their neighbours.
+// Tests rotation centers against a stacked least-squares solution and against their neighbours.
 #include "algorithms/runtime/skinning/rotation_center.hpp"
 
 #include "lemmas/exact/lift.hpp"
@@ -13,7 +13,7 @@ namespace {
 using namespace refitlab;
 using Transforms = std::vector<RigidTransform<double>>;
 
-// Rotations about one axis, so that all differences leave the axis undetermined.
+// Draws rotations about one axis, so that all differences leave the axis undetermined.
 rc::Gen<std::vector<gen::RationalTransform>> parallel_axes() {
   const auto turn = rc::gen::pair(gen::small_integer(), gen::rational_vector<3>());
   return rc::gen::apply(
@@ -35,8 +35,8 @@ rc::Gen<std::vector<gen::RationalTransform>> any_transforms() {
   return rc::gen::weightedOneOf<std::vector<gen::RationalTransform>>({{3, gen::rigid_transforms(1, 5)}, {1, parallel_axes()}});
 }
 
-// Joints that differ by little, or about nearly one axis, or both: rotations of about this size about axes tilted by about
-// this much against each other.
+// Returns joints that differ by little, or about nearly one axis, or both: rotations of about this size about axes tilted by
+// about this much against each other.
 Transforms nearly_degenerate(double angle, double tilt) {
   const auto drawn = [] { return lift<double>(*gen::rational_vector<3>()); };
   const auto common = lift<double>(*gen::rigid_transform());
@@ -65,7 +65,8 @@ PROPTEST(rotation_center) {
             const Point3 prior = lift<double>(*gen::rational_vector<3>());
             const Transforms c = lift<double>(exact);
             const auto expected = oracle::rotation_center(c, prior);
-            RC_PRE(expected.nearest_to_tolerance > 0.01);  // else rounding picks the rank
+            // Otherwise rounding picks the rank.
+            RC_PRE(expected.nearest_to_tolerance > 0.01);
             RC_CLASSIFY(expected.rank < 3, "degenerate");
             RC_TAG("rank " + std::to_string(expected.rank));
             // The normal equations square the condition number, at most 1e3 by the tolerance.
@@ -81,7 +82,8 @@ PROPTEST(rotation_center) {
             RC_PRE(expected.nearest_to_tolerance > 0.25);
             RC_CLASSIFY(expected.rank < 3, "degenerate");
             RC_TAG("rank " + std::to_string(expected.rank));
-            // Rounding, magnified by the inverses of the angles, of the weakest direction's part and of its square.
+            // The slack is for rounding, magnified by the inverses of the angles, of the weakest direction's part and of its
+            // square.
             const double slack = 1e-6 / std::max(angle, 1e-4) * size_of(c, prior);
             RC_ASSERT((rotation_center<double>(c, prior) - expected.point).norm() <= slack);
           });

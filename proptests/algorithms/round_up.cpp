@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is raised encloses, and by no more than is needed: radii by rounded_up, balls in float, and the least float above.
+// Tests that what is raised encloses, and by no more than is needed: radii by rounded_up, balls in float, and the least float
+// above.
 #include "algorithms/runtime/balls/round_up.hpp"
 
 #include <cmath>
@@ -16,7 +17,7 @@ namespace {
 
 using namespace refitlab;
 
-// Numbers of all sizes that a model may have, denormals and 0 too; often of one size.
+// Returns numbers of all sizes that a model may have, also denormals and 0; often they are of one size.
 double any(std::mt19937_64& random, int common) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto kind = random() % 8;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units of a run: found again only if nothing about them changed, and a run killed at any moment resumes.
+// Tests units of a run: they are found again only if nothing about them changed, and a run killed at any moment resumes.
 #include "experiments/resume/run_folder.hpp"
 
 #include <chrono>
@@ -19,7 +19,7 @@ namespace {
 
 using namespace refitlab;
 
-// The file of the one unit that a folder has.
+// Returns the file of the one unit that a folder has.
 std::string only_unit(const TemporaryFolder& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
     if (entry.path().extension() == ".unit") return entry.path();
@@ -28,7 +28,7 @@ std::string only_unit(const TemporaryFolder& folder) {
 
 void damage(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
-// A run of 30 units with all that an interrupted run can get wrong: its result, and what it did for it.
+// A run has this many units, with all that an interrupted run can get wrong: its result, and what it did for it.
 constexpr int units = 30;
 
 std::string result_of(int unit) { return std::string(2000, static_cast<char>('a' + unit % 26)) + std::to_string(unit); }
@@ -54,7 +54,8 @@ Checked interrupted_run_has_the_same_rows() {
   const TemporaryFolder folder;
   const auto start = std::chrono::steady_clock::now();
   const std::string uninterrupted = run_in(folder.file("whole"), folder.file("whole log"));
-  const auto whole = std::chrono::steady_clock::now() - start;  // disks differ
+  // Disks differ in speed.
+  const auto whole = std::chrono::steady_clock::now() - start;
   std::mt19937_64 random(Session::get().seed());
   long kills = 0;
   for (int trial = 0; trial < 5 || (kills <= 10 && trial < 100); ++trial) {

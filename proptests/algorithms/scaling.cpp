@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Balls of clouds of every size, from the least denormal to the largest squares: of what is as large as 1, the same but
-// for the underflow that rounded_up adds; and nothing that is finite has a center or a radius that is not a number.
+// Tests balls of clouds of every size, from the least denormal to the largest squares. They are those of a cloud of size 1, but
+// for the underflow that rounded_up adds, and no finite cloud has a center or a radius that is not a number.
 #include "algorithms/runtime/balls/scaling.hpp"
 
 #include <cmath>
@@ -32,7 +32,7 @@ bool is_finite(const Ball<S, D>& b) {
   return b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0;
 }
 
-// Raised by what rounding and underflow may have taken, it encloses all.
+// Says whether the ball encloses all once it is raised by what rounding and underflow may have taken.
 template <class S, int D>
 bool holds_all(const Ball<S, D>& ball, std::span<const Ball<S, D>> balls) {
   const auto around = exact(rounded_up(ball));
@@ -41,14 +41,15 @@ bool holds_all(const Ball<S, D>& ball, std::span<const Ball<S, D>> balls) {
   return true;
 }
 
-// From the least denormal to 2^132, which is 1e40, or in float to what squares of differences of a few may be.
+// Returns an exponent from that of the least denormal to 132, which stands for 1e40, or in float to that whose squares of
+// differences do not overflow.
 template <class S>
 int any_exponent(std::mt19937_64& random) {
   constexpr int least = std::is_same_v<S, double> ? -1074 : -149, greatest = std::is_same_v<S, double> ? 132 : 58;
   return least + static_cast<int>(random() % (greatest - least + 1));
 }
 
-// Points about the origin, where no rounding but that of denormals changes them when they are made smaller or larger.
+// Returns points about the origin, where no rounding but that of denormals changes them when they are made smaller or larger.
 template <class S, int D>
 std::vector<Vec<S, D>> cloud_of_size_one(std::mt19937_64& random, int n) {
   std::vector<Vec<S, D>> out;
@@ -57,7 +58,7 @@ std::vector<Vec<S, D>> cloud_of_size_one(std::mt19937_64& random, int n) {
   return out;
 }
 
-// times 2^by, and back to about the size 1: the digits that denormals lose are lost in both.
+// Returns the cloud times 2^by, and the same back at about the size 1: the digits that denormals lose are lost in both.
 template <class S, int D>
 std::pair<std::vector<Vec<S, D>>, std::vector<Vec<S, D>>> of_size(std::vector<Vec<S, D>> cloud, int by) {
   std::vector<Vec<S, D>> small;
@@ -68,7 +69,8 @@ std::pair<std::vector<Vec<S, D>>, std::vector<Vec<S, D>>> of_size(std::vector<Ve
   return {small, cloud};
 }
 
-// A radius and that of the same cloud of size 1. Where squares of distances underflow, up to the slack for that.
+// Says whether a radius is that of the same cloud of size 1, scaled. Where squares of distances underflow, the slack for that is
+// allowed.
 template <class S>
 bool is_as_small(S radius, S of_size_one, int by, S size, S relative = S(1e4) * std::numeric_limits<S>::epsilon()) {
   const S expected = std::scalbn(of_size_one, by);
@@ -107,7 +109,7 @@ void points_of_every_size(Suite& t, const std::string& space) {
       });
 }
 
-// Centers of the cloud, radii of 0, of one size, of any, or tiny beside the centers.
+// Returns balls about the points of the cloud, with radii of 0, of one size, of any, or tiny beside the centers.
 Balls balls_about(std::mt19937_64& random, const std::vector<Vec<double, 3>>& cloud, int by) {
   std::uniform_real_distribution<double> uniform(0, 1);
   const int kind = static_cast<int>(random() % 4);
@@ -209,7 +211,8 @@ void clouds_and_triangles_of_every_size(Suite& t) {
               std::uniform_real_distribution<double> uniform(-1, 1);
               const long cases = Session::get().cases_for(40000);
               for (long c = 0; c < cases; ++c) {
-                // A needle: two points as close as wanted, the third one beside the middle of them or anywhere.
+                // The triangle is a needle: two points are as close as wanted, and the third one is beside the middle of them or
+                // anywhere.
                 const int long_side = any_exponent<double>(random), short_side = any_exponent<double>(random);
                 const Vec<double, 3> a(0, 0, 0), b(std::scalbn(1., short_side), 0, 0),
                     tip(random() % 2 ? std::scalbn(0.5, short_side) : std::scalbn(uniform(random), long_side),

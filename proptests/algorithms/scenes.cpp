@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the experiments share: methods by their names, and the poses of a model.
+// Tests what the experiments share: methods by their names, and the poses of a model.
 #include "experiments/scenes/scenes.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ bool is_method(const std::string& name) {
   return std::any_of(methods().begin(), methods().end(), [&](const Method& m) { return m.name == name; });
 }
 
-// Each method is found by its name; each compared variant stands alone under its own.
+// Checks that each method is found by its name, and that each compared variant stands alone under its own.
 Checked check_names() {
   std::string wrong;
   std::set<std::string> names;
@@ -44,7 +44,7 @@ Checked check_names() {
   return Checked(wrong.empty(), static_cast<long>(names.size()), wrong);
 }
 
-// The lists of variants are copies of each other, so that a variant has an address in each.
+// Checks the defaults. The lists of variants are copies of each other, so that a variant has an address in each.
 Checked check_defaults() {
   std::string wrong;
   std::size_t expected = compared_variants().size();
@@ -65,10 +65,11 @@ Checked check_defaults() {
   return Checked(wrong.empty(), static_cast<long>(expected), wrong);
 }
 
-// What the experiments, the report and the paper write in quotes, and looks like a variant.
+// Checks what the experiments, the report and the paper write in quotes and looks like a variant's name.
 Checked check_quoted_names() {
-  const std::set<std::string> others{"linear_under_spherical",  // a comparison: the linear refit of a spherical skin
-                                     "control_near"};           // the row that the reference tells a researcher to add
+  // This is a comparison: the linear refit of a spherical skin.
+  const std::set<std::string> others{"linear_under_spherical",
+                                     "control_near"};  // The reference tells a researcher to add this row.
   const std::regex quoted(R"re(["']((?:spherical|control|linear|dual_quaternion)_[a-z_]+)["'])re");
   std::string wrong;
   std::set<std::string> seen;
@@ -98,8 +99,8 @@ bool holds_all(const Ball3<double>& ball, const std::vector<Point3>& points) {
                      [&](const Point3& p) { return (p - ball.center).norm() <= ball.radius * (1 + 1e-9); });
 }
 
-// Of each sound method: its root ball holds all vertices. What looks at children first is nowhere larger, and what knows
-// more of a frame is somewhere another ball.
+// Checks for each sound method that its root ball holds all vertices. A method that looks at children first is nowhere larger,
+// and one that knows more of a frame has another ball somewhere.
 Checked check_balls() {
   std::string wrong;
   const NamedPose twist = figure_twist(man());
@@ -115,7 +116,8 @@ Checked check_balls() {
       bool are_others = m.stands_alone();
       for (std::size_t n = 0; n < own.size(); ++n, ++balls) {
         are_others = are_others || own[n].radius != alone[n].radius;
-        const bool are_alike = own[n].radius == alone[n].radius || std::isnan(own[n].radius);  // as a printed form may be
+        // The radius may be NaN in both for a printed form.
+        const bool are_alike = own[n].radius == alone[n].radius || std::isnan(own[n].radius);
         if (m.stands_alone() && !are_alike) wrong += m.name + " is not its variant; ";
         if (m.options.children_first && own[n].radius > alone[n].radius * (1 + 1e-12)) wrong += m.name + " is larger; ";
       }
@@ -129,7 +131,7 @@ double angle_between(const RigidTransform<double>& a, const RigidTransform<doubl
   return 2 * std::acos(std::min(1., std::abs(dot(a.rotation, b.rotation))));
 }
 
-// A chain of four joints along x, one of which has a name.
+// Makes a chain of four joints along x, one of which has a name.
 SkinnedMesh chain(int named, const char* name) {
   SkinnedMesh mesh;
   for (int j = 0; j < 4; ++j) mesh.joints.push_back({j == named ? name : "bone", j - 1, Point3(j, 0, 0)});
@@ -185,13 +187,14 @@ PROPTEST(scenes) {
     bool ok = twist_joint(mesh) == 2 && (bone_axis(mesh, 2) - Point3(1, 0, 0)).norm() < 1e-15 &&
               (bone_axis(mesh, 3) - Point3(1, 0, 0)).norm() < 1e-15;
     for (int j = 0; j < 4; ++j) ok = ok && std::abs(angle_between(turned[j], rest[j]) - (j >= 2 ? angle : 0)) < 1e-7;
-    // A point of the bone stays, and one beside it goes around.
+    // A point of the bone stays, and one beside it moves around it.
     ok = ok && norm(Point3(apply(turned[3], Point3(2.5, 0, 0)) - Point3(2.5, 0, 0))) < 1e-14;
     return ok && norm(Point3(apply(turned[3], Point3(2.5, 1, 0)) - Point3(2.5, std::cos(angle), std::sin(angle)))) < 1e-14;
   });
   t.example("the joint that is twisted is a neck, else a head or a wrist by name, else one in the middle", {}, [] {
     return twist_joint(chain(1, "LeftWRIST")) == 1 && twist_joint(chain(3, "Kopf")) == 3 && twist_joint(chain(1, "tail")) == 2 &&
-           twist_joint(chain(0, "neck")) == 2;  // a root has no bone to be twisted about
+           // A root has no bone to be twisted about.
+           twist_joint(chain(0, "neck")) == 2;
   });
   t.example("the twist of the paper's figure ends the clip of that name, else a joint is twisted by 170 degrees", {}, [] {
     AnimatedCharacter c = man();

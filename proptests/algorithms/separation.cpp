@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Separation: its steps come to each pair of triangles once, and what they say of it is so, to the last digit.
+// Tests separation: its steps come to each pair of triangles once, and what they say of it is true, exactly.
 #include "algorithms/certificate/separation.hpp"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::pair<Set, Set> halves(const Set& set) {
   return {Set(set.begin(), middle), Set(middle, set.end())};
 }
 
-// Follows the steps, and says what is wrong with them.
+// Follows the steps, and returns what is wrong with them.
 std::string wrong_with(const Separation& s, const PosedBody& first, const PosedBody& second) {
   if (!is_order(s.first_order, first.triangles.size()) || !is_order(s.second_order, second.triangles.size())) return "the orders";
   std::vector<std::pair<Set, Set>> todo{{s.first_order, s.second_order}};
@@ -62,8 +62,9 @@ std::string wrong_with(const Separation& s, const PosedBody& first, const PosedB
   return todo.empty() && contacts == s.contacts.size() ? "" : "there are steps too few";
 }
 
-// Two corners of the long body are farther away than the small one is large by as much as double has digits, at a right angle to the
-// direction in which the bodies are apart. The products with that direction cancel, and their rounding is as large as the gap.
+// Makes a small body beside a long one. Two corners of the long body are farther away than the small one is large by as much as
+// double has digits, at a right angle to the direction in which the bodies are apart. The products with that direction cancel,
+// and their rounding is as large as the gap.
 std::pair<PosedBody, PosedBody> small_beside_long(std::mt19937& random) {
   const auto whole = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
   const auto real = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
@@ -89,7 +90,7 @@ void check_bodies(const PosedBody& first, const PosedBody& second, std::mt19937&
   RC_CLASSIFY(!found.contacts.empty(), "touch");
   const std::string wrong = wrong_with(found, first, second);
   if (!wrong.empty()) RC_FAIL(wrong);
-  // Some pairs by another decision.
+  // Some pairs are decided in another way.
   std::vector<TrianglePair> pairs;
   for (const auto& contact : found.contacts) pairs.push_back(contact.pair);
   for (std::size_t i = 0; i < std::min<std::size_t>(10, first.triangles.size() * second.triangles.size()); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SHA-256 on the examples of its standard and at the borders of its blocks.
+// Tests SHA-256 on the examples of its standard and at the borders of its blocks.
 #include "algorithms/certificate/sha256.hpp"
 
 #include "proptests/harness/harness.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shares: whatever is a mixture of weight vertices has shares that make it, and nothing else has.
+// Tests shares: every mixture of weight vertices has shares that make it, and nothing else has.
 #include "algorithms/certificate/shares.hpp"
 
 #include <random>
@@ -15,7 +15,7 @@ using Row = std::vector<double>;
 
 constexpr int grains = 1 << 24;
 
-// n weights, multiples of 2^-24 of sum 1; some of them 0 now and then.
+// Returns n weights, multiples of 2^-24 of sum 1, some of which are 0 now and then.
 Row random_weights(std::mt19937& random, std::size_t n) {
   std::vector<int> cuts{0, grains};
   const int step = std::array{1, grains / 4}[std::uniform_int_distribution<int>(0, 1)(random)];
@@ -29,7 +29,8 @@ Row random_weights(std::mt19937& random, std::size_t n) {
 
 std::vector<std::span<const double>> spans(const std::vector<Row>& rows) { return {rows.begin(), rows.end()}; }
 
-// The shares are above 0, without a common divisor, as few as there are weights, and make the weights exactly.
+// Says whether the shares are above 0, without a common divisor, at most as many as there are weights, and make the weights
+// exactly.
 bool make(const Shares& s, const std::vector<Row>& weight_vertices, const Row& weights) {
   if (s.places.empty() || s.places.size() != s.shares.size() || s.places.size() > weights.size()) return false;
   Rational sum(0);
@@ -59,7 +60,7 @@ void check_hulls() {
     const auto found = find_shares(spans(weight_vertices), w);
     RC_ASSERT(found && make(*found, weight_vertices, w));
   }
-  // Without it, a row that is beyond all others in some direction is outside.
+  // Without this row, one that is beyond all others in some direction is outside.
   std::vector<Row> others = rows;
   const Row direction = random_weights(random, n);
   const auto along = [&](const Row& w) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Skin matrices of a moving skeleton as rigid transforms.
+// Tests skin matrices of a moving skeleton as rigid transforms.
 #include "algorithms/model/skeleton_motion.hpp"
 
 #include <cmath>
@@ -14,7 +14,7 @@ using namespace refitlab;
 
 double real() { return *rc::gen::inRange(-1000, 1001) / 1000.0; }
 
-// Posed by a matrix as its only skin matrix.
+// Poses a skeleton whose only skin matrix is this matrix.
 PosedSkeleton palette_by(const Eigen::Matrix4d& matrix) {
   const BoundSkeleton skeleton{"test", {{"node", -1, matrix}}, {{"joint", 0, -1, Eigen::Matrix4d::Identity()}}};
   return pose(skeleton, Animation{}, 0);
@@ -171,7 +171,7 @@ void what_holds_between_keys_and_beyond_them(Suite& t) {
 
 int any_of(int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); }
 
-// One to four keys at times in quarters of a second from 0.5 s on, which may coincide. Those of a spline are of nearly unit
+// Draws one to four keys at times in quarters of a second from 0.5 s on, which may coincide. Those of a spline are of nearly unit
 // length, with tangents so small that no value between two keys gets near to 0.
 Channel<Eigen::Quaterniond> drawn_rotations() {
   Channel<Eigen::Quaterniond> out{{}, *rc::gen::element(Interpolation::step, Interpolation::linear, Interpolation::cubic), {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Float skinning against the doubles that count, in exact arithmetic, over all that the interface accepts.
+// Tests skinning in float against the doubles that count, in exact arithmetic, over all that the interface accepts.
 #include "algorithms/runtime/collide/skinned_clusters.hpp"
 
 #include <algorithm>
@@ -25,12 +25,14 @@ namespace {
 using namespace refitlab;
 
 struct Compared {
-  long within = 0, beyond = 0, undefined = 0;  // coordinates by slack; undefined where that is infinite
+  // Coordinates are within their slack or beyond it, and undefined where that is infinite.
+  long within = 0, beyond = 0, undefined = 0;
   bool same_doubles = true, are_boxed = true;
-  double largest_share = 0;  // of the slack, of what coordinates are off by
+  // This is the greatest error of a coordinate, as a share of the slack.
+  double largest_share = 0;
 };
 
-// Every coordinate of every cluster's places.
+// Compares every coordinate of every cluster's places.
 Compared compare(SkinnedClusters& body, const std::vector<Point3>& expected) {
   Compared out;
   const ClusterTree& tree = body.tree();
@@ -81,7 +83,7 @@ Compared compare_placed(const Character& c, const Pose& pose, const RigidTransfo
   return compare(body, oracle::Posed{c, pose, at}.vertices(skinning));
 }
 
-// Triangles about one joint, turned by half a turn, whose image is known to the last bit.
+// Makes triangles about one joint, turned by half a turn, whose image is known exactly.
 SkinnedMesh about_one_joint() {
   SkinnedMesh m;
   m.name = "one joint";
@@ -144,13 +146,13 @@ void floats_are_within_their_slack(Suite& t) {
       });
 }
 
-// What one target skins in float of a cluster: the sides of its box, then all places.
+// Holds what one target skins in float of a cluster: the sides of its box, then all places.
 struct FloatImage {
   float slack;
   std::vector<float> numbers;
 };
 
-// Of all clusters whose slacks are finite.
+// Returns the images of all clusters whose slacks are finite.
 std::vector<FloatImage> skinned_by(Target target, const ClusterTree& tree, const Pose& pose, Skinning skinning) {
   const Character& c = tree.character();
   const PalettePacks packs(c.mesh, c.sets, skinning);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What makes a model, or a pose of it, one that is refused.
+// Tests what makes a model, or a pose of it, one that is refused.
 #include "algorithms/runtime/mesh/skinned_mesh.hpp"
 
 #include <cmath>
@@ -32,13 +32,14 @@ struct Broken {
 
 constexpr double unit = 0x1p-24, beyond = 1e40 * (1 + 0x1p-52);
 
-// Two morph targets, of which one vertex of twelve has these displacements.
+// Returns a change that adds two morph targets, of which one vertex of twelve has these displacements.
 using Displacements = std::vector<Displacement<double>>;
 std::function<void(SkinnedMesh&)> displaced(const Displacements& list) {
   return [=](SkinnedMesh& m) { m.targets = {2, std::vector<Displacements>(12)}, m.targets.of_vertex[4] = list; };
 }
 
-// Of three joints and twelve vertices. Most are as near to what is accepted (accepted_models) as numbers can be.
+// Lists broken models of three joints and twelve vertices. Most are as near to what is accepted (accepted_models) as numbers can
+// be.
 std::vector<Broken> broken_models() {
   const auto weights = [](std::vector<Influence> list) { return [=](SkinnedMesh& m) { m.influences[2] = list; }; };
   const Point3 some(0.1, 0, 0);
@@ -104,7 +105,7 @@ std::vector<Broken> broken_models() {
   };
 }
 
-// What is at the edge of the above, and accepted.
+// Lists changes that are at the edge of the above, and accepted.
 std::vector<std::function<void(SkinnedMesh&)>> accepted_models() {
   const auto weights = [](std::vector<Influence> list) { return [=](SkinnedMesh& m) { m.influences[2] = list; }; };
   std::vector<std::function<void(SkinnedMesh&)>> out{
@@ -139,7 +140,7 @@ std::vector<std::function<void(SkinnedMesh&)>> accepted_models() {
   return out;
 }
 
-// The scale of the quaternion 1 that is farthest from 1, in this direction, among those whose square is within 1e-6 of 1.
+// Returns the scale of the quaternion 1 that is farthest from 1, in this direction, among those whose square is within 1e-6 of 1.
 double last_accepted_scale(double direction) {
   double s = std::sqrt(1 + (direction > 1 ? 1e-6 : -1e-6));
   const auto is_within = [](double x) { return std::abs(x * x - 1) <= 1e-6; };

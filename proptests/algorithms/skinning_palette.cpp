@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A frame's skinning data and the skinned vertices of whole models.
+// Tests a frame's skinning data and the skinned vertices of whole models.
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ double size_of(const PosedModel& posed) {
   return size;
 }
 
-// Two joints of one joint-set are turned against each other by 180 degrees, so that neither sign is the short way.
+// Says whether two joints of one joint-set are turned against each other by 180 degrees, so that neither sign is the short way.
 bool has_half_turn(const SkinningPalette<double>& palette) {
   for (std::size_t s = 0; s < palette.size(); ++s)
     for (const auto& a : palette[s].transforms)
@@ -62,7 +62,7 @@ bool same(const SkinningPalette<double>& a, const SkinningPalette<double>& b) {
   return true;
 }
 
-// Affine joints with entries and offsets of some size.
+// Draws affine joints with entries and offsets of some size.
 AffinePose drawn_affine(std::size_t joints) {
   const auto number = [] { return *rc::gen::inRange(-3000, 3001) / 1000.0; };
   AffinePose out(joints);
@@ -114,7 +114,7 @@ bool names(const std::string& message, std::initializer_list<const char*> parts)
 }
 
 void consistent_signs_keep_blends_from_vanishing(Suite& t) {
-  // Why: with <q_1, q_i> >= 0 for all i, <q_1, sum w_i q_i> >= w_1 |q_1|^2 > 0.
+  // The reason is that, with <q_1, q_i> >= 0 for all i, <q_1, sum w_i q_i> >= w_1 |q_1|^2 > 0.
   t.holds("with consistent signs and a positive first weight no blend vanishes",
           {.number_type = "rational", .degenerate_at_least = 0.1}, [] {
             OwnedPaletteEntry<Rational> palette;

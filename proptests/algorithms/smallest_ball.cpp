@@ -59,7 +59,7 @@ void exact_properties(Suite& t) {
           });
 }
 
-// The squared radius of the ball as the exact maximum over the points, and a lower bound of what is possible.
+// Holds the squared radius of the ball as the exact maximum over the points, and a lower bound of what is possible.
 template <int D>
 struct Squeeze {
   Squeeze(const std::vector<Vec<double, D>>& points, const SmallestBall<double, D>& ball) {
@@ -72,7 +72,7 @@ struct Squeeze {
     for (const auto& p : points)
       for (int i = 0; i < D; ++i) size = std::max(size, std::abs(p[i]));
   }
-  // radius <= optimum (1 + 1e-9) + 2^-51 of the largest coordinate: the center is rounded to doubles.
+  // Says whether radius <= optimum (1 + 1e-9) + 2^-51 of the largest coordinate. The center is rounded to doubles.
   bool is_tight() const {
     const double optimum = std::sqrt(std::max(0.0, CGAL::to_double(low)));
     return low >= Rational(0) && std::sqrt(CGAL::to_double(high)) <= optimum * (1 + 1e-9) + size * 0x1p-51;

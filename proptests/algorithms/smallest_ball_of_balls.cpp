@@ -11,7 +11,7 @@ namespace {
 
 using namespace refitlab;
 
-// 1 to 12 balls: centers of any shape of cloud, radii that repeat, are zero, or swallow the others.
+// Holds 1 to 12 balls. Their centers are a cloud of any shape, and their radii repeat, are zero, or swallow the others.
 struct Balls {
   std::vector<Ball3<double>> list;
   bool degenerate;
@@ -26,8 +26,8 @@ Balls draw() {
     const double any = CGAL::to_double(*gen::unit_interval_rational());
     out.list.push_back({c, radii == 1 ? 0.0 : radii == 2 ? 0.5 : 3 * any});
   }
-  if (radii == 3) out.list.front().radius = 1000;      // holds all others
-  if (radii == 4) out.list.back() = out.list.front();  // equal balls
+  if (radii == 3) out.list.front().radius = 1000;      // The ball holds all others.
+  if (radii == 4) out.list.back() = out.list.front();  // Two balls are equal.
   return out;
 }
 

@@ -18,7 +18,8 @@ namespace {
 
 using namespace refitlab;
 
-constexpr double keep_all = 1e300;  // as a prune ratio
+// It is a prune ratio that keeps all nodes.
+constexpr double keep_all = 1e300;
 
 std::set<int> vertices_below(const SphereTree& tree, const SkinnedMesh& model, const TreeNode& n) {
   std::set<int> out;
@@ -27,7 +28,7 @@ std::set<int> vertices_below(const SphereTree& tree, const SkinnedMesh& model, c
   return out;
 }
 
-// What is wrong with the arrays of the tree; empty if nothing is.
+// Returns what is wrong with the arrays of the tree, or nothing.
 std::string structural_fault(const SphereTree& tree, const SkinnedMesh& model, const TreeOptions& options) {
   const auto& nodes = tree.nodes;
   std::set<int> all(tree.triangle_order.begin(), tree.triangle_order.end());
@@ -71,7 +72,7 @@ std::string structural_fault(const SphereTree& tree, const SkinnedMesh& model, c
   return levels == tree.level_count() ? "" : "number of levels";
 }
 
-// The balls hold their vertices exactly, and none is larger than needed.
+// Returns a fault unless the balls hold their vertices exactly, and none is larger than needed.
 std::string ball_fault(const SphereTree& tree, const SkinnedMesh& model) {
   for (const TreeNode& n : tree.nodes) {
     std::vector<Ball<Rational, 3>> points;
@@ -96,7 +97,8 @@ std::vector<oracle::ExactWeights> rows_of(const SphereTree& tree, const NodePiec
   return rows;
 }
 
-// The joint-sets of a node are those of its vertices, and their weight vertices those of the vertices' weight bounds.
+// Returns a fault unless the joint-sets of a node are those of its vertices, and their weight vertices those of the vertices'
+// weight bounds.
 std::string weight_fault(const SphereTree& tree, const SkinnedMesh& model, const JointSets& sets) {
   for (const TreeNode& n : tree.nodes) {
     std::map<int, std::vector<oracle::ExactWeights>> weights;
@@ -121,15 +123,18 @@ std::string weight_fault(const SphereTree& tree, const SkinnedMesh& model, const
   return "";
 }
 
-using Range = std::pair<int, int>;  // of triangles: names a node of the binary tree
+// Such a range of triangles names a node of the binary tree.
+using Range = std::pair<int, int>;
 
-// Pruning takes exactly the inner nodes that are larger than their share of the nearest node above that stays.
+// Returns a fault unless pruning takes exactly the inner nodes that are larger than their share of the nearest node above that
+// stays.
 std::string pruning_fault(const SphereTree& pruned, const SphereTree& binary, double ratio) {
   std::map<Range, const TreeNode*> kept;
   for (const TreeNode& n : pruned.nodes) kept[{n.first_triangle, n.triangle_count}] = &n;
   if (pruned.triangle_order != binary.triangle_order) return "order of triangles";
   std::size_t found = 0;
-  std::vector<double> radius_above(binary.nodes.size());  // of the nearest kept node, the node itself included
+  // This is the radius of the nearest kept node, which may be the node itself.
+  std::vector<double> radius_above(binary.nodes.size());
   for (std::size_t i = 0; i < binary.nodes.size(); ++i) {
     const TreeNode& n = binary.nodes[i];
     const bool is_kept = kept.count({n.first_triangle, n.triangle_count}) > 0;
@@ -144,7 +149,7 @@ std::string pruning_fault(const SphereTree& pruned, const SphereTree& binary, do
   return found == kept.size() ? "" : "nodes that the binary tree does not have";
 }
 
-// Each node is halved at the median of the centroids along their longest extent.
+// Returns a fault unless each node is halved at the median of the centroids along their longest extent.
 std::string split_fault(const SphereTree& binary, const SkinnedMesh& model) {
   const auto centroid = [&](int k) {
     const Triangle& t = model.triangles[binary.triangle_order[k]];

@@ -23,7 +23,7 @@ std::set<std::pair<int, int>> edges_of(const Model& m) {
   return edges;
 }
 
-// Twice a triangle's area as a vector: its length, and the side that it faces.
+// Returns a vector of twice a triangle's area in length, which points to the side that it faces.
 Point3 area(const Corners& c) { return cross(Point3(c[1] - c[0]), Point3(c[2] - c[0])); }
 
 double weight_of(const std::vector<Influence>& influences, int joint) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Synthetic cases and their scoring, which the experiment of that name rests on.
+// Tests synthetic cases and their scoring, on which the experiment of that name rests.
 #include "algorithms/verification/synthetic_case.hpp"
 
 #include <fstream>
@@ -28,7 +28,7 @@ std::string text_of(const char* file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// What a synthetic case promises; empty if it keeps it.
+// Returns which promise a synthetic case breaks, or nothing.
 std::string complaint(const SyntheticCase& synthetic) {
   if (synthetic.sets.empty() || synthetic.sets.size() > 3) return "the number of joint-sets; ";
   for (const SyntheticSet& set : synthetic.sets) {
@@ -53,8 +53,8 @@ std::string complaint(const SyntheticCase& synthetic) {
   return "";
 }
 
-// Scoring without any of score.cpp: matrices in rationals, and no interval. By how much the farthest image reaches beyond
-// the ball; not above 0 if it holds all of them, which is decided exactly.
+// Holds scores without any of score.cpp: by matrices in rationals, and without intervals. They say by how much the farthest image
+// reaches beyond the ball. This is not above 0 if it holds all of them, which is decided exactly.
 struct ByMatrices {
   bool misses = false;
   double worst = 0;
@@ -71,7 +71,8 @@ ByMatrices by_matrices(const SyntheticCase& synthetic, Skinning skinning, const 
     for (const auto& w : sampled_weights(set)) {
       const auto& c = set.palette.transforms;
       const auto& [p, r] = set.reference;
-      if (skinning == Skinning::linear)  // the middle stands for S where it is a point, else the ends of its axes
+      // The middle stands for S where S is a point, and otherwise the ends of its axes do.
+      if (skinning == Skinning::linear)
         for (int i = 0; i < 3; ++i)
           for (const int side : {-1, 1})
             see(oracle::linear(c, w, Vec<Rational, 3>(p + Vec<Rational, 3>::Unit(i) * Rational(r * side))), 0);
@@ -123,8 +124,8 @@ void the_stored_sample_and_what_cases_keep(Suite& t) {
             });
 }
 
-// Of how many parts that have weights a joint-set's weight box is made if it is halved so often at the widest weight, the first of
-// several.
+// Returns the number of parts that have weights, if a joint-set's weight box is halved so often at the widest weight, the first
+// of several.
 int parts_with_weights(WeightBounds<Rational> bounds, int halvings) {
   Rational widest(0), least(0), greatest(0);
   std::size_t at = 0;
@@ -163,7 +164,7 @@ void pieces_of_a_synthetic_node(Suite& t) {
             for (std::size_t z = 0; z < synthetic.sets.size(); ++z) {
               const SyntheticSet& set = synthetic.sets[z];
               const std::size_t n = set.palette.transforms.size();
-              // The box of each piece's weight vertices.
+              // There is a box of the weight vertices of each piece.
               std::vector<std::pair<std::vector<double>, std::vector<double>>> boxes;
               for (const auto& piece : node.pieces) {
                 if (piece.joint_set != static_cast<int>(z)) continue;
@@ -201,7 +202,7 @@ void weights_at_which_a_case_is_looked_at(Suite& t) {
       set.palette.transforms.resize(2);
       for (int k = 0; k < m; ++k) set.weight_vertices.push_back({Rational(k, most), Rational(most - k, most)});
       const auto weights = sampled_weights(set);
-      // As few are passed over as can be.
+      // As few weight vertices are left out as possible.
       std::size_t step = 1;
       while (10 * step < set.weight_vertices.size()) ++step;
       std::size_t count = 0;

@@ -18,7 +18,7 @@ gen::Cloud<3> three_points() {
   return cloud;
 }
 
-// Returns how many times as long as the shortest side the longest is. A side of length 0 is none.
+// Returns how many times as long as the shortest side the longest is. A side of length 0 does not count.
 double thinness(const std::array<Vec<double, 3>, 3>& p) {
   double longest = 0, shortest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
@@ -29,8 +29,8 @@ double thinness(const std::array<Vec<double, 3>, 3>& p) {
   return std::max(1.0, longest / shortest);
 }
 
-// What double makes of three points: its radius against the exact one, but for the rounding of the points themselves, and what a short side
-// adds to that.
+// Says whether the radius that double computes of three points is the exact one, but for the rounding of the points themselves,
+// and for what a short side adds to that.
 template <class Rounded>
 bool is_as_exact(const std::array<Vec<double, 3>, 3>& p, const Rounded& rounded) {
   const auto exact = three_points_ball<Rational, 3>(convert<Rational>(p[0]), convert<Rational>(p[1]), convert<Rational>(p[2]));

@@ -23,7 +23,7 @@ bool never_wrong(const TrianglePoints& a, const TrianglePoints& b, bool meets) {
   return quick == Filtered::unknown || (quick == Filtered::meet) == meets;
 }
 
-// The six orders of the vertices of each and both orders of the two.
+// Says whether the filter is never wrong in the six orders of the vertices of each triangle and both orders of the two.
 bool never_wrong_in_any_order(const TrianglePoints& a, const TrianglePoints& b) {
   const bool meets = oracle::triangles_meet(a, b);
   static constexpr int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
@@ -62,7 +62,8 @@ void decisions_are_those_of_exact_arithmetic(Suite& t) {
             if (*rc::gen::arbitrary<bool>()) b[1] = a[1] * 0.5 + a[2] * 0.5;
             const double off = *rc::gen::element(0.0, 1e-16, 1e-15, 1e-14, 1e-13);
             b[0] += Vec<double, 3>(v(random), v(random), v(random)) * off;
-            const double unit = *rc::gen::element(1.0, 1.0, 0x1p-348, 0x1p-352);  // or so small that determinants lose digits
+            // The unit may be so small that determinants lose digits.
+            const double unit = *rc::gen::element(1.0, 1.0, 0x1p-348, 0x1p-352);
             TrianglePoints a_unit = a;
             for (int i = 0; i < 3; ++i) a_unit[i] *= unit, b[i] *= unit;
             RC_CLASSIFY(filter_triangles(a_unit, b) == Filtered::unknown, "degenerate");
@@ -131,7 +132,8 @@ void what_is_decided_and_what_is_left_open(Suite& t) {
       for (auto* all : {&near_a, &near_b})
         for (TrianglePoints& points : *all)
           for (auto& p : points)
-            for (double& x : p) x += off(random) / 2;  // and half for the rounding to float
+            // The other half is for the rounding to float.
+            for (double& x : p) x += off(random) / 2;
       const NearVertices<Floats> vertices{Floats(2 * slack)};
       const auto near = filter_lanes(lanes_of(Floats(), near_a), lanes_of(Floats(), near_b), vertices);
       for (std::size_t lane = 0; lane < Doubles::size(); ++lane, ++pairs) {

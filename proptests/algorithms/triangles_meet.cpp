@@ -49,7 +49,8 @@ PROPTEST(triangles_meet) {
             TrianglePoints b = grid_triangle(9);
             const double s = *rc::gen::inRange(0, 8) / 7.0, t = *rc::gen::inRange(0, 8) / 7.0;
             const int shift = *rc::gen::inRange(-2, 3);
-            b[0] = a[0] * (1 - s) + (a[1] * (1 - t) + a[2] * t) * s;  // on the face but for rounding
+            // It is on the face but for rounding.
+            b[0] = a[0] * (1 - s) + (a[1] * (1 - t) + a[2] * t) * s;
             b[0][0] = shift < 0 ? std::nextafter(b[0][0], -100) : shift > 0 ? std::nextafter(b[0][0], 100) : b[0][0];
             const bool meets = oracle::triangles_meet(a, b);
             RC_CLASSIFY(filter_triangles(a, b) == Filtered::unknown, "degenerate");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each variant is what its name and description say: these pieces, this algorithm, these balls.
+// Tests that each variant is what its name and description say: these pieces, this algorithm, these balls.
 #include <algorithm>
 #include <functional>
 #include <set>
@@ -81,7 +81,7 @@ const Named expected_variants[] = {
     {"dual_quaternion_mixed", Skinning::dual_quaternion, Pieces::mixed, dual<NearSmallestBalls>},
 };
 
-// To the last bit; two that are undefined are the same.
+// Says whether two balls are the same, exactly. Two that are undefined are the same.
 bool same(const Ball3<double>& a, const Ball3<double>& b) {
   const auto equal = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
   return equal(a.radius, b.radius) && equal(a.center[0], b.center[0]) && equal(a.center[1], b.center[1]) &&
@@ -110,7 +110,7 @@ std::string fault_of_piece_counts(const Character& c, const SkinningPalette<doub
   return "";
 }
 
-// The snake in its wave.
+// Holds the snake in its wave.
 struct Posed {
   AnimatedCharacter character = bake_animated(make_snake(24));
   SkinningPalette<double> palette(Skinning skinning) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reduced deformations of the experiments: how a mesh vibrates, principal components, and BD-tree's balls of them.
+// Tests reduced deformations of the experiments: how a mesh vibrates, principal components, and BD-tree's balls of them.
 #include "experiments/deformations/vibration.hpp"
 
 #include <array>
@@ -33,7 +33,7 @@ double largest(const std::vector<std::vector<Point3>>& frames) {
   return out;
 }
 
-// Frames of random displacements, some of which are sums of others.
+// Returns frames of random displacements, some of which are sums of others.
 std::vector<std::vector<Point3>> random_frames(int count, std::size_t vertices, std::mt19937& random) {
   std::normal_distribution<double> normal;
   std::vector<std::vector<Point3>> out;
@@ -74,10 +74,11 @@ void check_basis() {
 
 struct Published {
   Ball3<double> ball;
-  double size;  // of what its center and radius are sums of
+  // This is the size of the terms of its center and radius.
+  double size;
 };
 
-// A node's ball as published, by sums over its vertices.
+// Returns a node's ball as published, by sums over its vertices.
 Published published(const Character& c, int node, const std::vector<double>& q) {
   const auto vertices = c.vertices[node];
   Ball3<double> ball = c.tree.nodes[static_cast<std::size_t>(node)].reference;
@@ -124,7 +125,7 @@ void check_bd_tree() {
   }
 }
 
-// A jolt sets off every vertex, and nothing gains energy: late frames do not go farther than early ones by much.
+// Says whether a jolt sets off every vertex, and nothing gains energy: late frames do not move farther than early ones by much.
 bool vibrates(int frames) {
   SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 10, 8, 3, 5});
   auto box = Box<double>::empty();
@@ -137,8 +138,8 @@ bool vibrates(int frames) {
   return largest(late) > 0 && largest(late) < largest(all) * 1.01;
 }
 
-// Of a model that deforms itself, linearly skinned vertices are the matrices of its file's joints times displaced vertices; other
-// skinning has the same displacements, and the scales.
+// Says whether the vertices of a model that deforms itself are right: linearly skinned, they are the matrices of its file's
+// joints times displaced vertices; other skinning has the same displacements, and the scales.
 bool frames_have_the_whole_pose(const Model& model, double share) {
   const AnimatedCharacter c = bake_animated(model, {}, {});
   const std::array<double, 1> shares = {share};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Refitted volumes hold every vertex: exactly, in rationals, where no root is needed, and by intervals on the fallback;
-// in double up to rounding. And the table of variants, on whole models.
+// Tests that refitted volumes hold every vertex: exactly, in rationals, where no root is needed; by intervals on the fallback;
+// and in double up to rounding. It also tests the table of variants, on whole models.
 #include "algorithms/methods/refit/volume_refit.hpp"
 
 #include <cmath>
@@ -23,7 +23,7 @@ using gen::Blending;
 using gen::RationalVec;
 using gen::RefitCase;
 
-// All kinds of volume of the case's node over S, the box turned as given; calls visit with each.
+// Calls visit with all kinds of volume of the case's node over S, the box turned as given.
 template <class S, Blending blending, class Visit>
 void for_each_volume(const RefitCase& c, const Quaternion<double>& orientation, const Visit& visit) {
   const gen::NodeOf<S> storage(c);
@@ -42,7 +42,7 @@ RefitCase draw(gen::Turns turns) {
   return c;
 }
 
-// Where the case's samples go, exactly.
+// Returns the exact images of the case's samples.
 std::vector<RationalVec<3>> skinned_samples(const RefitCase& c, Blending blending, const Ball3<double>& far_from) {
   std::vector<RationalVec<3>> out;
   for (const auto& sample : gen::samples(c, blending, far_from.center))
@@ -75,7 +75,8 @@ void check_exactly() {
     assert_holds<Rational, Blending::spherical>(c, Verdict::holds);
     RC_TAG("exact");
   } catch (const NoRationalRoot&) {
-    assert_holds<MultiprecisionInterval, Blending::spherical>(c, Verdict::undecided);  // on the boundary of a cap's ball
+    // Such a sample is on the boundary of a cap's ball.
+    assert_holds<MultiprecisionInterval, Blending::spherical>(c, Verdict::undecided);
     RC_TAG("fallback");
   }
 }
@@ -99,7 +100,7 @@ void check_double() {
   RC_CLASSIFY(std::isfinite(balls[0].radius), "bounded");
 }
 
-// Every node of a model in a pose, by two threads at once: each volume holds all of the node's deformed vertices.
+// Checks every node of a model in a pose, by two threads at once: each volume holds all of the node's deformed vertices.
 Checked check_model(Model model, Skinning skinning) {
   const auto c = bake_animated(std::move(model));
   const Clip& clip = c.clips.back();

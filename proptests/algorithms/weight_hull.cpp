@@ -19,7 +19,7 @@ using Rows = std::vector<std::vector<double>>;
 
 constexpr int one = 1 << 24;
 
-// Shares of 2^24 that sum to it.
+// Returns shares of 2^24 that sum to it.
 std::vector<int> shares(int n) {
   const auto parts = *rc::gen::container<std::vector<int>>(
       n, rc::gen::weightedOneOf<int>({{1, rc::gen::just(0)}, {3, gen::small_positive_integer()}}));
@@ -51,7 +51,7 @@ Weights draw(int most) {
   for (int r = 2; r < count; ++r)
     for (int i = 0; i < out.n; ++i) {
       if (out.kind == Kind::repeated && r % 2 == 0) units[r][i] = units[0][i];
-      // Multiples of 64, so that the points of the segment in steps of 1/8 are exact.
+      // The differences are multiples of 64, so that the points of the segment in steps of 1/8 are exact.
       if (out.kind == Kind::on_a_line) units[r][i] = units[0][i] + (units[1][i] - units[0][i]) / 8 * (r % 9);
     }
   if (out.kind == Kind::in_a_plane && out.n > 2)  // one weight is the same in all rows
@@ -77,7 +77,8 @@ Rows box_weight_vertices(const Rows& rows) {
   return weight_vertices_or_simplex(box);
 }
 
-// By trying simplices, or down along the box where the weight vertices are the box's.
+// Says whether the weight vertices cover w, by trying simplices, or by descending along the box where the weight vertices are the
+// box's.
 bool covers(const Rows& weight_vertices, const Rows& rows, const oracle::Row& w) {
   const auto list = exact(weight_vertices);
   if (w.size() <= 4 || std::find(list.begin(), list.end(), w) != list.end())

@@ -23,7 +23,7 @@ std::vector<ExactWeights> exact(const std::vector<std::vector<S>>& rows) {
   return out;
 }
 
-// The same weight vertices as the oracle's, each once.
+// Asserts that the weight vertices are those of the oracle, each once.
 void assert_complete(const std::vector<ExactWeights>& rows, const std::set<ExactWeights>& expected) {
   RC_ASSERT(rows.size() == expected.size());
   RC_ASSERT(std::set<ExactWeights>(rows.begin(), rows.end()) == expected);
@@ -32,8 +32,8 @@ void assert_complete(const std::vector<ExactWeights>& rows, const std::set<Exact
 std::size_t choose(std::size_t n, std::size_t k) { return k == 0 ? 1 : choose(n - 1, k - 1) * n / k; }
 std::size_t most_weight_vertices(std::size_t n) { return n * choose(n - 1, (n - 1) / 2); }
 
-// Every weight from 0 to 1 / (the number that are high at a weight vertex, and a half): the box that the plane cuts in
-// the middle.
+// Returns bounds of every weight from 0 to 1 / (the number that are high at a weight vertex, and a half): the box that the plane
+// cuts in the middle.
 WeightBounds<Rational> middle_cut(int n) {
   return {ExactWeights(n, Rational(0)), ExactWeights(n, Rational(1) / (Rational((n - 1) / 2) + Rational(1, 2)))};
 }
@@ -99,7 +99,7 @@ void how_many_weight_vertices_and_their_simplex(Suite& t) {
             for (const auto& low : bounds.low) slack -= low;
             const auto weight_vertices = *enumerate_weight_vertices(bounds, no_limit);
             for (const auto& weight_vertex : weight_vertices) {
-              // weight vertex = sum of (weight_vertex_i - low_i) / slack times row i: those shares are not negative and
+              // The weight vertex is the sum of (weight_vertex_i - low_i) / slack times row i. Those shares are not negative and
               // sum to 1.
               ExactWeights blend(weight_vertex.size(), Rational(0));
               if (slack == Rational(0)) {
@@ -153,12 +153,14 @@ void bounds_on_numbers_and_times(Suite& t) {
     for (int shape = 0; shape < 4; ++shape)
       for (int width = 4; width <= share; width *= 2) {
         gen::DyadicBounds box{std::vector<int>(n, share), std::vector<int>(n, share)};
-        for (int i = 0; i < n; ++i) {  // sums of subsets of these are hard to hit
+        // Sums of subsets of these are hard to hit.
+        for (int i = 0; i < n; ++i) {
           box.low[i] -= i * 7919 % width;
           box.high[i] += (i * 104729 + 13 * shape) % width;
         }
         const int first = shape / 2 * (n - 1);
-        if (shape % 2 == 1) box.low[first] = box.high[first] - 1;  // hardly any room for the first or last weight
+        // There is hardly any room for the first or last weight.
+        if (shape % 2 == 1) box.low[first] = box.high[first] - 1;
         const auto rows = enumerate_weight_vertices(box.as<double>(), weight_vertex_limit);
         too_many += !rows;
         if (rows && rows->empty()) return Checked(false, boxes, "no weight vertices");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The boxes of the experiment on what engines ship: which of them hold every vertex, exactly, and the smallest rigs on which
-// the others do not.
+// Tests the boxes of the experiment on what engines ship: which of them hold every vertex, exactly, and the smallest rigs on
+// which the others do not.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,14 +39,14 @@ bool is_inside(const RationalBox& box, const RationalVec<3>& x) {
   return true;
 }
 
-// Around boxes by their middles and half extents, at least one.
+// Returns the box around at least one box, given by middles and half extents.
 RationalBox around(const std::vector<HalfBox<Rational>>& boxes) {
   RationalBox out{boxes[0].center - boxes[0].half, boxes[0].center + boxes[0].half};
   for (const auto& b : boxes) out.merge(RationalBox{b.center - b.half, b.center + b.half});
   return out;
 }
 
-// A box that holds the point.
+// Draws a box that holds the point.
 HalfBox<Rational> box_with(const RationalVec<3>& point) {
   HalfBox<Rational> box{point + *gen::rational_vector<3>() * Rational(*rc::gen::inRange(0, 3), 2), RationalVec<3>::Zero()};
   for (int i = 0; i < 3; ++i) box.half[i] = absolute<Rational>(point[i] - box.center[i]) + *gen::unit_interval_rational();
@@ -64,7 +64,7 @@ AffineMap<Rational> affine_map_of(const gen::RationalTransform& c) {
   return map;
 }
 
-// The smallest rig on which joint boxes fail for blended rotations: one vertex, midway between a joint at rest and one that
+// Holds the smallest rig on which joint boxes fail for blended rotations: one vertex, midway between a joint at rest and one that
 // turns by the angle of cosine -7/25 about z. Both images of the vertex have x = 3/5, and the blend turns it to x = 1.
 struct TwoTurns {
   std::vector<gen::RationalTransform> joints = std::vector<gen::RationalTransform>(2);
@@ -80,7 +80,7 @@ struct TwoTurns {
   }
 };
 
-// The nearest point of a box without its radius, and an upper bound of the distance from it.
+// Returns the nearest point of a box without its radius, and an upper bound of the distance from it.
 std::pair<RationalVec<3>, Rational> nearest(const HalfBox<Rational>& box, const RationalVec<3>& x) {
   RationalVec<3> p;
   for (int i = 0; i < 3; ++i)
@@ -88,7 +88,7 @@ std::pair<RationalVec<3>, Rational> nearest(const HalfBox<Rational>& box, const 
   return {p, upper_root(squared_norm<Rational, 3>(x - p))};
 }
 
-// Whether grown boxes of joints hold a linear blend, and whether the inequality of weighted radii holds.
+// Holds whether grown boxes of joints hold a linear blend, and whether the inequality of weighted radii holds.
 struct GrownCase {
   bool inequality, holds;
   GrownCase() {
@@ -128,7 +128,7 @@ const std::vector<RoundedBox>& fitted_boxes() {
   return made;
 }
 
-// The man's boxes, or these with balls around them for those of a block of joints, or of all.
+// Returns the man's boxes, or these with balls around them in place of those of a block of joints, or of all.
 std::vector<RoundedBox> some_sound_boxes() {
   std::vector<RoundedBox> boxes = fitted_boxes();
   const std::size_t of_block = Lanes<float>::count, which = *rc::gen::inRange<std::size_t>(0, 4);
@@ -140,7 +140,7 @@ std::vector<RoundedBox> some_sound_boxes() {
   return boxes;
 }
 
-// On which side of a box's middle one of its eight corners is, along each axis.
+// Returns on which side of a box's middle one of its eight corners is, along each axis.
 Point3 signs_of_corner(int corner) { return {corner & 1 ? 1. : -1., corner & 2 ? 1. : -1., corner & 4 ? 1. : -1.}; }
 
 Pose some_pose() {
@@ -151,7 +151,7 @@ Pose some_pose() {
   return pose;
 }
 
-// What a joint's volume reaches in a pose, written from the definition, in double.
+// Returns the box of a joint's volume in a pose, written from the definition, in double.
 Box<double> reach(const RigidTransform<double>& joint, const std::vector<Point3>& points, const Point3& half, double radius) {
   auto box = Box<double>::empty();
   Point3 extent = Point3::Constant(radius);
@@ -163,13 +163,13 @@ Box<double> reach(const RigidTransform<double>& joint, const std::vector<Point3>
   return box;
 }
 
-// Of the rigs' sizes.
+// Says whether two boxes of the rigs' sizes are nearly equal.
 bool are_near(const Box<double>& a, const Box<double>& b) {
   const double size = 1 + a.low.cwiseAbs().maxCoeff() + a.high.cwiseAbs().maxCoeff();
   return (a.low - b.low).cwiseAbs().maxCoeff() < 2e-4 * size && (a.high - b.high).cwiseAbs().maxCoeff() < 2e-4 * size;
 }
 
-// Whether the sum of weights times distances is no more than that of weights times radii, for all vertices.
+// Says whether the sum of weights times distances is no more than that of weights times radii, for all vertices.
 template <class Distance, class Radius>
 bool inequalities_hold(const Distance& distance, const Radius& radius) {
   for (std::size_t v = 0; v < man().vertices.size(); ++v) {
@@ -218,7 +218,7 @@ void cases_of_padded_pivots(Suite& t) {
               const RationalVec<3> vertex(3, 4, 0);
               const std::vector<RationalVec<3>> pivots = {{0, 0, 0}};
               const Rational padding = pivot_padding(box_around<Rational>(pivots), RationalBox{vertex, vertex});
-              // By the angle of cosine 3/5, clockwise about z.
+              // This turns by the angle of cosine 3/5, clockwise about z.
               const auto turn = oracle::affine_of<Rational>({2, 0, 0, -1}, {0, 0, 0});
               const RationalVec<3> turned = oracle::times(turn, vertex), expected(5, 0, 0);
               const RationalBox box = padded_pivots<Rational>(box_around<Rational>(pivots), padding);
@@ -229,7 +229,7 @@ void cases_of_padded_pivots(Suite& t) {
               const RationalVec<3> vertex(1, 0, 0);
               const std::vector<RationalVec<3>> pivots = {{0, 0, 0}, {2, 0, 0}};
               const Rational padding = pivot_padding(box_around<Rational>(pivots), RationalBox{vertex, vertex});
-              // Half a turn about the second pivot, which stays.
+              // This is half a turn about the second pivot, which stays.
               const RationalVec<3> turned = oracle::times(oracle::affine_of<Rational>({0, 0, 0, 1}, {4, 0, 0}), vertex),
                                    expected(3, 0, 0);
               return padding == 0 && turned == expected &&
@@ -454,7 +454,8 @@ void joints_that_reach_no_wall(Suite& t) {
               SkinnedMesh mesh;
               mesh.joints.resize(3 * of_block);
               Pose pose(mesh.joints.size());
-              // The middle block's joints carry small bricks inside of a large one, which the first joint of another block carries.
+              // The middle block's joints carry small bricks inside of a large one, which the first joint of another block
+              // carries.
               for (int j = 0; j < 3 * of_block; ++j)
                 for (int v = 0; v < 8; ++v) {
                   mesh.vertices.push_back(signs_of_corner(v).cwiseProduct(Point3(1, 2, 3)) *
@@ -548,7 +549,7 @@ void boxes_of_clips_and_their_measures(Suite& t) {
               const auto box_named = [&](const std::string& name) {
                 return std::find_if(boxes.begin(), boxes.end(), [&](const ClipBox& b) { return b.method == name; })->box;
               };
-              // Unions are around the true boxes at their times, and touch them all around, but for a renderer's room.
+              // Unions are around the true boxes at their times, and touch them on all sides, but for a renderer's room.
               for (const SamplingWay& way : sampling_ways()) {
                 auto seen = Box<double>::empty();
                 for (const double time : sampled_times(way, keys)) seen.merge(methods.truth(clip.sample(time)));
@@ -592,7 +593,7 @@ void boxes_of_clips_and_their_measures(Suite& t) {
         const auto found = measures.measures();
         const BoxMeasure &of_twice = found[0], &of_small = found[1];
         const double small_volume = (6. / 8 + 3. / 8 + 1) / 3;
-        // All boxes of the first method touch the true box, and what decides says that they fail.
+        // All boxes of the first method touch the true box, and the exact decision says that they fail.
         return of_twice.misses == 2 && asked == 2 && of_twice.undecided == 1 && of_twice.volume == 2 &&
                of_twice.to_reference == 1 && std::abs(of_twice.area - 40. / 28) < 1e-12 &&
                std::abs(of_twice.radius - std::sqrt(24. / 21)) < 1e-12 && of_small.misses == 2 && of_small.poses == 4 &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tests' own processes: nothing of a suite gets lost between them.
+// Tests the tests' own processes: nothing of a suite gets lost between them.
 #include "proptests/harness/workers.hpp"
 
 #include <unistd.h>
@@ -29,14 +29,15 @@ bool is_that_of(const SuiteResult& found, const std::string& stem) {
          f.cases == w.cases && f.degenerate_share == w.degenerate_share && f.seed == w.seed && f.tags == w.tags &&
          f.seconds == w.seconds && f.options.form == w.options.form && f.options.number_type == w.options.number_type &&
          f.options.cases == w.options.cases && f.options.hypothesis == w.options.hypothesis &&
-         f.options.tags_at_least == w.options.tags_at_least && f.detail.starts_with("x = ");  // what is no text in it is replaced
+         // Bytes that are no text are replaced in it.
+         f.options.tags_at_least == w.options.tags_at_least && f.detail.starts_with("x = ");
 }
 
 PROPTEST(workers) {
   t.example("results come in the order of the suites, with all that they hold, from one process to more than there are suites",
             {}, [] {
               for (const int workers : {1, 2, 4, 8}) {
-                // The first to begin is the last to end.
+                // The first suite to begin is the last to end.
                 const auto found = run_in_processes(stems, workers, [](const std::string& stem) {
                   if (stem == "a") ::usleep(100'000);
                   return result_of(stem);

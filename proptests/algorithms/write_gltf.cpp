@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Models that are written as glTF files load back as they were, up to the rounding of floats.
+// Tests that models that are written as glTF files load back as they were, up to the rounding of floats.
 #include "algorithms/model/write_gltf.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::vector<Point3> posed_vertices(const Model& model, const Pose& pose) {
   return out;
 }
 
-// By joint of the model: the one of the same name, of those that are left.
+// Returns for each joint of the model the one of the same name, among those that are not yet taken.
 std::vector<int> same_joints(const Model& model, const Model& read) {
   std::vector<int> out;
   for (const Joint& joint : model.joints) {
@@ -44,7 +44,8 @@ std::vector<int> same_joints(const Model& model, const Model& read) {
   return out;
 }
 
-// What differs of a model and what was read of its file, where vertices and joints are in another order; empty if nothing does.
+// Returns how a model and what was read of its file differ, where vertices and joints are in another order; nothing if they do
+// not.
 std::string difference(const Model& model, const Model& read) {
   if (read.sources.size() != 1 || read.triangles.size() != model.triangles.size() || read.clips.size() != model.clips.size() ||
       read.joints.size() != model.joints.size())

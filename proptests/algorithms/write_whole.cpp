@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that are written whole or not at all, under kill -9 and by several writers at once.
+// Tests files that are written whole or not at all, under kill -9 and by several writers at once.
 #include "algorithms/results/write_whole.hpp"
 
 #include <fcntl.h>
@@ -20,7 +20,7 @@
 #include "proptests/harness/session.hpp"
 #include "proptests/harness/temporary_folder.hpp"
 
-// What is told to be on the disk, in order, as long as a test listens: 'd' for a folder, 'f' for a file.
+// Records what is synced to the disk, in order, as long as a test listens: 'd' for a folder, 'f' for a file.
 namespace {
 std::string* synced = nullptr;
 }
@@ -35,7 +35,7 @@ namespace {
 
 using namespace refitlab;
 
-// Texts that differ in every byte and in length: no part of one is another.
+// Returns texts that differ in every byte and in length: no part of one is another.
 std::set<std::string> texts_of(char first, int count) {
   std::set<std::string> out;
   for (int i = 0; i < count; ++i) out.insert(std::string(100000 + 5000 * i, static_cast<char>(first + i)));
@@ -64,9 +64,10 @@ Checked killed_at_random_moments() {
   std::mt19937_64 random(Session::get().seed());
   const auto start = std::chrono::steady_clock::now();
   for (const std::string& text : texts) write_whole(path, text);
-  const auto some_writes = std::chrono::steady_clock::now() - start;  // disks differ
+  // Disks differ in speed.
+  const auto some_writes = std::chrono::steady_clock::now() - start;
   std::set<std::string> seen;
-  // Where a writer is slow to start, the moments get later until every text was seen.
+  // If a writer is slow to start, the moments get later until every text was seen.
   int kills = 0;
   for (; kills < 200 || (seen.size() < texts.size() && kills < 2000); ++kills) {
     const int i = kills;
@@ -117,7 +118,7 @@ Checked threads_of_one_process() {
   return {!failed, 80};
 }
 
-// A file may have 1000 bytes: what is written of a longer one is less than all of it, and then nothing.
+// Checks a file that may have 1000 bytes: of a longer one less than all is written, and then nothing.
 Checked full_disk() {
   const TemporaryFolder folder;
   const std::string path = folder.file("results.csv");
@@ -137,7 +138,7 @@ Checked full_disk() {
                  1, message);
 }
 
-// Reached by a link, so that it is the link that is lost where a device is replaced.
+// Checks devices, pipes and links. The devices are reached by a link, so that only the link is lost where a device is replaced.
 Checked devices_pipes_and_links() {
   const TemporaryFolder folder;
   namespace fs = std::filesystem;
@@ -147,7 +148,8 @@ Checked devices_pipes_and_links() {
   if (::mkfifo(pipe.c_str(), 0600) != 0) return {false, 0, "no pipe can be made"};
   write_whole(null, "x");
   const std::string message = message_of([&] { write_whole(full, "x"); });
-  const int end = ::open(pipe.c_str(), O_RDWR | O_NONBLOCK);  // open for both, so that nobody waits for anybody
+  // It is open for both, so that nobody waits for anybody.
+  const int end = ::open(pipe.c_str(), O_RDWR | O_NONBLOCK);
   write_whole(pipe, "through a pipe");
   std::string read(100, ' ');
   read.resize(static_cast<std::size_t>(std::max<ssize_t>(::read(end, read.data(), read.size()), 0)));
@@ -166,17 +168,17 @@ Checked devices_pipes_and_links() {
   return {good, 5, message + "; " + read};
 }
 
-// A writer waits for the reader of a full pipe, and signals interrupt it before the next byte is written.
+// Checks a writer that waits for the reader of a full pipe, while signals interrupt it before the next byte is written.
 Checked interrupted_by_signals() {
   const TemporaryFolder folder;
   const std::string pipe = folder.file("pipe");
-  std::string text(300000, ' '), read;  // more than the pipe holds
+  std::string text(300000, ' '), read;  // This is more than the pipe holds.
   for (std::size_t i = 0; i < text.size(); ++i) text[i] = static_cast<char>('a' + i % 23);
   if (::mkfifo(pipe.c_str(), 0600) != 0) return {false, 0, "no pipe can be made"};
   const int end = ::open(pipe.c_str(), O_RDWR | O_NONBLOCK);
   struct sigaction handled {
   }, before{};
-  handled.sa_handler = [](int) {};  // without SA_RESTART
+  handled.sa_handler = [](int) {};  // The handler is set without SA_RESTART.
   ::sigaction(SIGUSR1, &handled, &before);
   const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); };
   const auto start = std::chrono::steady_clock::now();
@@ -185,7 +187,8 @@ Checked interrupted_by_signals() {
   {
     ChildProcess writer([&] { write_whole(pipe, text); });
     int waiting = 0;
-    for (int full = 0; full < 4 && !is_late(); pause()) {  // nothing more is written
+    // Nothing more is written.
+    for (int full = 0; full < 4 && !is_late(); pause()) {
       const int were = waiting;
       ::ioctl(end, FIONREAD, &waiting);
       full = waiting > 0 && waiting == were ? full + 1 : 0;
@@ -196,7 +199,8 @@ Checked interrupted_by_signals() {
     while (read.size() < text.size() && !is_late()) {
       const ssize_t size = ::read(end, part.data(), part.size());
       if (size > 0) read.append(part, 0, static_cast<std::size_t>(size));
-      else if (ended.si_pid != 0) break;  // and the pipe is empty
+      // The pipe is empty then.
+      else if (ended.si_pid != 0) break;
       else ::waitid(P_PID, static_cast<id_t>(writer.id()), &ended, WEXITED | WNOHANG | WNOWAIT);
     }
     is_done = read.size() == text.size() && writer.wait();

@@ -22,7 +22,7 @@ bool is_integer(const std::string& text, bool may_be_negative) {
 
 [[noreturn]] void fail_at(const std::string& where, const std::string& reason) { throw CaseError(where + ": " + reason); }
 
-// Objects and lists as they stand in the file; a list of numbers as a vector.
+// Shows a value: objects and lists as they stand in the file, and a list of numbers as a vector.
 std::string shown(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   std::string out;
@@ -102,7 +102,8 @@ int Fields::integer(const std::string& name, int low, int high) const {
 }
 
 Rational Fields::number(const std::string& name) const try { return parse_rational(value(name)); } catch (const CaseError& e) {
-  if (std::string(e.what()).rfind(where_, 0) == 0) throw;  // it is missing
+  // It is missing.
+  if (std::string(e.what()).rfind(where_, 0) == 0) throw;
   fail_at(where_ + "." + name, e.what());
 }
 
@@ -195,7 +196,8 @@ std::vector<Case> parse_cases(const std::string& text, const std::string& file, 
       if (depth > most_levels) throw CaseError(file + ": nested more than " + std::to_string(most_levels) + " deep");
       return true;
     });
-  } catch (const Json::exception& e) {  // of its syntax, or a number beyond double
+    // The syntax is wrong, or a number is beyond double.
+  } catch (const Json::exception& e) {
     throw CaseError(file + ": malformed JSON: " + e.what());
   }
   const Fields top(whole, file);
@@ -211,7 +213,7 @@ std::vector<Case> parse_cases(const std::string& text, const std::string& file, 
     if (f.has("without")) c.without = f.text("without");
     c.note = f.text("note");
     if (f.has("dimension")) c.dimension = f.integer("dimension", 1, 4);
-    f.object("inputs");  // is there
+    f.object("inputs");  // Throws if it is missing.
     c.inputs = object["inputs"];
     c.file = file;
     check(c);

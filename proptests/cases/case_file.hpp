@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Case files: counterexamples and degenerate cases as exact rationals with the expected verdict (format: README.md
-// here).
+// Reads case files: counterexamples and degenerate cases as exact rationals with the expected verdict (README.md here describes
+// the format).
 #pragma once
 
 #include <functional>
@@ -29,18 +29,19 @@ struct CaseError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// "3/5", "-2": an optional sign, digits, and for a fraction a slash and digits. Throws CaseError with the reason alone.
+// Reads a rational such as "3/5" or "-2": an optional sign, digits, and for a fraction a slash and digits. Throws CaseError with
+// the reason alone.
 Rational parse_rational(const Json& value);
 
-// The fields of an object, by name. Whatever is missing or not as asked for is a CaseError with the path of the field.
-// Lists of weights and points are not judged here: whether they are what a statement asks for is a part of its verdict.
+// Reads the fields of an object, by name. Throws CaseError with the path of the field if it is missing or not as asked for. Lists
+// of weights and points are not judged here: whether they are what a statement asks for is a part of its verdict.
 class Fields {
  public:
   Fields(const Json& object, std::string where);
 
   bool has(const std::string& name) const { return object_->contains(name); }
   Fields object(const std::string& name) const;
-  std::vector<Fields> objects(const std::string& name) const;  // of a list, not empty
+  std::vector<Fields> objects(const std::string& name) const;  // The list is not empty.
   std::string text(const std::string& name) const;
   int integer(const std::string& name, int low, int high) const;
 
@@ -49,7 +50,7 @@ class Fields {
   std::vector<Numbers> rows(const std::string& name, std::size_t width) const;
   Numbers convex_weights(const std::string& name, std::size_t count) const;  // on the simplex
 
-  // In R^D. The elements of a list of points have the same dimension.
+  // Points are in R^D. The elements of a list of points have the same dimension.
   template <int D>
   Point<D> point(const std::string& name) const {
     return as_point<D>(numbers(name), name);
@@ -83,7 +84,8 @@ class Fields {
     const Fields f = object(name);
     return {f.point<D>("center"), f.point<D>("apex"), f.number("cos_angle")};
   }
-  refitlab::WeightBounds<Rational> bounds(const std::string& name) const;  // as many low as high ones, at least one
+  // There are as many low as high ones, at least one.
+  refitlab::WeightBounds<Rational> bounds(const std::string& name) const;
   std::vector<refitlab::RigidTransform<Rational>> transforms(const std::string& name) const;
 
   [[noreturn]] void fail(const std::string& name, const std::string& reason) const;
@@ -102,7 +104,7 @@ class Fields {
   std::string where_;
 };
 
-// A refit and a vertex of one of its joint-sets.
+// Holds a refit and a vertex of one of its joint-sets.
 struct RefitInput {
   refitlab::SyntheticCase query;
   int joint_set;
@@ -114,24 +116,25 @@ RefitInput read_refit(const Fields& inputs);
 struct Case {
   std::string name, statement, form, claim;
   std::string expected;  // "holds" or "fails"; of a refit "encloses", "misses" or "undefined"
-  std::string without;   // the hypothesis that is not met, if the case shows what goes wrong without it; else empty
+  // This names the hypothesis that is not met, if the case shows what goes wrong without it, and is empty otherwise.
+  std::string without;
   std::string note;
-  int dimension = 0;  // of the statements of R^d; 0 for the others
+  int dimension = 0;  // This is 0 for statements that are not of R^d.
   Json inputs;
   std::string file;
 
   Fields fields() const { return Fields(inputs, file + ": case '" + name + "': inputs"); }
 };
 
-// Is the statement known, in this form, with this claim? Throws CaseError otherwise.
+// Checks that the statement is known, in this form, with this claim. Throws CaseError otherwise.
 using StatementCheck = std::function<void(const Case&)>;
 
-// Throws CaseError for a file that cannot be read, is malformed, or has two cases of one name.
+// Reads the cases of a file. Throws CaseError if it cannot be read, is malformed, or has two cases of one name.
 std::vector<Case> read_cases(
     const std::string& file, const StatementCheck& check = [](const Case&) {});
 std::vector<Case> parse_cases(const std::string& text, const std::string& file, const StatementCheck& check);
 
-// A case's statement, inputs and verdict to be read by people.
+// Returns a case's statement, inputs and verdict to be read by people.
 std::string as_markdown(const std::vector<Case>& cases);
 
 }  // namespace proptests::cases

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lemmas 1 to 5 as statements about cases.
+// States Lemmas 1 to 5 about cases.
 #include "lemmas/lemma1_cap_definitions.hpp"
 #include "lemmas/lemma2_normalization.hpp"
 #include "lemmas/lemma3_sphere_surface_intersection.hpp"

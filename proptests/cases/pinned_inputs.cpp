@@ -309,7 +309,7 @@ void add_algorithm1(std::vector<PinnedInputs>& out) {
   }
 }
 
-// Objects have a line a field, and so have lists of them. Lists of numbers have one line.
+// Returns a layout in which objects, and lists of them, have one line for each field, and lists of numbers have one line.
 std::string laid_out(const Json& value, const std::string& indent) {
   const bool is_list = value.is_array() && !value.empty() && value.front().is_structured();
   if (!value.is_object() && !is_list) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inputs of cases that are pinned in proptests/counterexamples. There they are written by hand; cases.json has them from there
-// (proptests --write-cases), for readers of other languages.
+// Declares the inputs of cases that are pinned in proptests/counterexamples. There they are written by hand; cases.json has them
+// from there (proptests --write-cases), for readers of other languages.
 #pragma once
 
 #include "proptests/cases/case_file.hpp"
@@ -14,7 +14,8 @@ struct PinnedInputs {
 
 std::vector<PinnedInputs> pinned_inputs();
 
-// The text of a file of cases with the inputs that are pinned in place of its own. Throws CaseError if a case is not there.
+// Returns the text of a file of cases with the inputs that are pinned in place of its own. Throws CaseError if a case is not
+// there.
 std::string with_pinned_inputs(const std::string& text);
 
 }  // namespace proptests::cases

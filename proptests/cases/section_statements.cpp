@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Section 4 and what goes beyond the paper as statements about cases.
+// States section 4 and what goes beyond the paper about cases.
 #include "lemmas/s42_linear_part_hull.hpp"
 #include "lemmas/s43_distance_range.hpp"
 #include "lemmas/s43_minkowski_sum.hpp"
@@ -31,7 +31,7 @@ std::vector<PosedJointSet<S>> posed_joint_sets(const Fields& f) {
   return out;
 }
 
-// Section 4.4 for the printed or the repaired balls of the joint-sets.
+// Judges section 4.4 for the printed or the repaired balls of the joint-sets.
 template <bool repaired, class In>
 Judgement joint_sets(const In& in) {
   using S = NumberOf<In>;

@@ -11,7 +11,7 @@ namespace {
 
 using namespace refitlab;
 
-// Algorithm 1 as a statement: its claims, the printed one with the signs of line 3 or with the skinning's.
+// Algorithm 1 has two printed claims: one with the signs of line 3, and one with the skinning's.
 const char* const of_matrices = "ball_encloses_vertex";
 const char* const of_skinning = "ball_encloses_vertex_with_skinning_signs";
 
@@ -42,7 +42,8 @@ gen::RefitCase as_refit_case(const SyntheticCase& query) {
   return out;
 }
 
-// A weight vertex of the printed algorithm's blends to 0 (line 9), or the mean of the normalised blends is 0 (line 12).
+// Says whether a weight vertex of the printed algorithm blends to 0 (line 9), or the mean of the normalised blends is 0 (line
+// 12).
 template <Signs signs>
 bool divides_by_zero(const SyntheticCase& query) {
   for (const SyntheticSet& set : query.sets) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The statements that cases can be about: each judges a case in exact arithmetic and in intervals.
+// Declares the statements that cases can be about. Each judges a case in exact arithmetic and in intervals.
 #pragma once
 
 #include "lemmas/exact/ladder.hpp"
@@ -12,22 +12,24 @@ struct Judgement {
 };
 
 struct Statement {
-  std::string stem, form, claim;  // the lemma's file, "printed", "repaired" or "beyond", and what is claimed
-  bool has_dimension;             // a statement of R^d: its cases say which d, of 1 to 4
+  // These are the lemma's file, "printed", "repaired" or "beyond", and what is claimed.
+  std::string stem, form, claim;
+  // The cases of a statement of R^d say which d, of 1 to 4.
+  bool has_dimension;
   std::function<Judgement(const Case&)> exact, interval;
 };
 
-// Of Lemmas 1 to 5; of section 4 and beyond. Refits are judged by judge_refit.
+// Return the statements of Lemmas 1 to 5, and those of section 4 and beyond. judge_refit judges refits.
 std::vector<Statement> lemma_statements();
 std::vector<Statement> section_statements();
 const std::vector<Statement>& statements();
 
-// The statement of a case, or nothing if it is about Algorithm 1. Throws CaseError if there is none, if the case has a
+// Returns the statement of a case, or nothing if it is about Algorithm 1. Throws CaseError if there is none, if the case has a
 // dimension that the statement has not, or expects what it cannot be.
 const Statement* statement_of(const Case& c);
 
-// Algorithm 1 on a vertex: "encloses", "misses" or "undefined" (a division by zero), decided by intervals of growing
-// precision, at last exactly; and what intervals of doubles say: the same, or "undecided".
+// Holds the judgement of Algorithm 1 on a vertex: "encloses", "misses" or "undefined" (a division by zero), decided by intervals
+// of growing precision, at last exactly. interval is what intervals of doubles say: the same, or "undecided".
 struct RefitJudgement {
   std::string decided, interval;
 };
@@ -35,10 +37,10 @@ RefitJudgement judge_refit(const Case& c);
 
 // --- For the definition of statements ---
 
-// The lists after one another.
+// Returns the lists after one another.
 std::vector<Statement> joined(std::vector<std::vector<Statement>> lists);
 
-// The inputs of a case over the number type S, points in R^D.
+// Holds the inputs of a case over the number type S, with points in R^D.
 template <class S, int D>
 struct Inputs {
   using Number = S;
@@ -52,12 +54,13 @@ struct Inputs {
   auto squared_ball(const char* name) const { return refitlab::lift<S>(fields.squared_ball<D>(name)); }
   auto half_space(const char* name) const { return refitlab::lift<S>(fields.half_space<D>(name)); }
   auto cap(const char* name) const { return refitlab::lift<S>(fields.cap<D>(name)); }
-  auto quaternion(const char* name) const { return refitlab::lift<S>(fields.point<4>(name)); }  // any, 0 too
+  // It may be any quaternion, also 0.
+  auto quaternion(const char* name) const { return refitlab::lift<S>(fields.point<4>(name)); }
   auto non_zero_quaternion(const char* name) const { return refitlab::lift<S>(fields.non_zero_quaternion(name)); }
   auto quaternions(const char* name) const { return refitlab::lift<S>(fields.points<4>(name)); }
   auto bounds(const char* name) const { return refitlab::lift<S>(fields.bounds(name)); }
   auto rows(const char* name, std::size_t width) const { return refitlab::lift<S>(fields.rows(name, width)); }
-  // One number for each element of another list.
+  // Returns one number for each element of another list.
   std::vector<S> numbers(const char* name, std::size_t count) const {
     const Numbers out = fields.numbers(name);
     if (out.size() != count) fields.fail(name, "needs " + std::to_string(count) + " numbers, has " + std::to_string(out.size()));
@@ -65,7 +68,7 @@ struct Inputs {
   }
 };
 
-// judge: a function of Inputs<S, D> for every S.
+// Returns a statement about R^3. judge is a function of Inputs<S, D> for every S.
 template <class Judge>
 Statement in_space(const char* stem, const char* form, const char* claim, Judge judge) {
   return {stem,
@@ -86,7 +89,7 @@ Judgement in_dimension_of(const Case& c, Judge judge) {
   }
 }
 
-// The same in the R^d of the case.
+// Returns a statement about the R^d of the case.
 template <class Judge>
 Statement in_any_dimension(const char* stem, const char* form, const char* claim, Judge judge) {
   return {stem,

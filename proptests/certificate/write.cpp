@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// write_certificates COUNT SEED FOLDER: certificates of random nodes, each by some sound variant, for the checkers to agree on.
+// write_certificates COUNT SEED FOLDER writes certificates of random nodes, each by some sound variant, for the checkers to agree
+// on.
 //
-// FOLDER gets a folder for each model and pose and skinning, with a file model, a file pose and the certificates. The
-// models are the procedural ones in clips and in random poses, random meshes of all kinds, and the real ones that are there,
-// which the output says.
+// FOLDER gets a folder for each model and pose and skinning, with a file model, a file pose and the certificates. The models are
+// the procedural ones in clips and in random poses, random meshes of all kinds, and the real ones that are there, which the
+// output names.
 #include <filesystem>
 #include <iostream>
 
@@ -62,7 +63,7 @@ class Writer {
     return gen::random_pose(c.mesh, random_, std::array{0., 0.1, 0.3, 0.6, 1., 2.}[pick(6)]);
   }
 
-  // Of one pose by all skinnings, and of one with affine joints.
+  // Writes certificates of one pose by all skinnings, and of one with affine joints.
   void write_some(const AnimatedCharacter& c) {
     const Pose pose = some_pose(c);
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion})
@@ -80,7 +81,7 @@ class Writer {
     for (int i = 0; i < 20 && left_ > 0; ++i) write_one(c, palette, skinning, sha256(model), sha256(pose), group);
   }
 
-  // Nothing for a ball that is all of space.
+  // Writes one certificate, or nothing for a ball that is all of space.
   void write_one(const Character& c, const SkinningPalette<double>& palette, Skinning skinning, const std::string& model_digest,
                  const std::string& pose_digest, const std::filesystem::path& group) {
     std::vector<const RefitVariant*> variants;

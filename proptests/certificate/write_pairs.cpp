@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// write_pairs COUNT SEED FOLDER: certificates of touching triangles of random bodies, for the checkers to agree on.
+// write_pairs COUNT SEED FOLDER writes certificates of touching triangles of random bodies, for the checkers to agree on.
 //
-// FOLDER gets a folder of COUNT certificates of a few triangles each, and folders of one certificate each with its documents first
-// and second: of skinned meshes, the procedural snake and man, and the real models that are there, in random poses. The output
-// says which these are.
+// FOLDER gets a folder of COUNT certificates of a few triangles each, and folders of one certificate each with its documents
+// first and second: of skinned meshes, the procedural snake and man, and the real models that are there, in random poses. The
+// output says which these are.
 #include <filesystem>
 #include <iostream>
 
@@ -34,7 +34,7 @@ class Writer {
       try {
         const std::string text = pairs_certificate("random triangles", bodies.first, bodies.second, pairs);
         write("0/" + std::to_string(i++) + ".json", text);
-      } catch (const NoProof&) {  // too many digits
+      } catch (const NoProof&) {  // It has too many digits.
       }
     }
     for (int i = 1; i <= 8; ++i) {
@@ -55,7 +55,7 @@ class Writer {
     write_whole((folder_ / name).string(), text);
   }
 
-  // Of the character in two poses, not far from where it was bound.
+  // Writes a certificate of the character in two poses, not far from where it was bound.
   void write_posed(int group, const Character& character) {
     const Skinning skinning = std::array{Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}[pick(3)];
     const ClusterTree tree(character);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bent arm, one of whose bounding spheres is refitted; all of its vertices must be inside. Exits with 1 if one is not. Writes
+// Refits one of the bounding spheres of a bent arm, which must hold all of its vertices. Exits with 1 if one is outside. Writes
 // the baked arm into two files that it is given: by itself, and in a glTF file as `refitlab bake` does.
 #include <algorithm>
 #include <cmath>
@@ -16,15 +16,16 @@
 #include "lemmas/exact/exact.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 
-// What comes with the package and must hold for any target that a project is compiled for: its types are laid out as the
-// library's, and a square is rounded before it is added to.
+// These properties come with the package and must hold for any target that a project is compiled for: its types are laid out as
+// the library's, and a square is rounded before it is added to.
 static_assert(alignof(refitlab::RigidTransform<double>) <= 16);
 static bool products_are_rounded() {
   const volatile double x = 1 + 0x1p-30, minus_rounded_square = -(1 + 0x1p-29);
   return x * x + minus_rounded_square == 0;
 }
 
-// An arm of two bones along x, in metres: rings of vertices, whose weights pass from the one joint to the other at the elbow.
+// Makes an arm of two bones along x, in metres: rings of vertices, whose weights pass from the one joint to the other at the
+// elbow.
 static refitlab::SkinnedMesh make_arm() {
   using namespace refitlab;
   constexpr int rings = 40, sides = 12;
@@ -50,7 +51,7 @@ int main(int, char** argv) {
   const Character arm = bake(make_arm());
   std::ofstream(argv[1], std::ios::binary) << bytes_of(arm);
   ClusterBounds clusters;
-  clusters.clips = {{"", 0, {}}};  // the rest pose
+  clusters.clips = {{"", 0, {}}};  // This is the rest pose.
   const std::string chunk = chunk_of({Skinning::spherical, RotationBlend::slerp, arm, clusters});
   std::ofstream(argv[2], std::ios::binary) << glb_of({{json_chunk, R"({"asset":{"version":"2.0"}})"}, {refitlab_chunk, chunk}},
                                                      argv[2]);
@@ -70,7 +71,7 @@ int main(int, char** argv) {
   if (outside || arm.vertices[node].empty() || !(ball.radius > 0)) return 1;
   if (!products_are_rounded()) return std::puts("compiled with fused multiply-add"), 1;
 
-  // Lemma 5 in exact numbers: the printed ball of half a sphere and more misses the apex, the repaired one does not.
+  // In exact numbers, Lemma 5's printed ball of half a sphere and more misses the apex, and the repaired one does not.
   const Cap<Rational, 2> cap{{Rational(0), Rational(0)}, {Rational(1), Rational(0)}, Rational(-3, 5)};
   const bool refuted = cap_ball_encloses_printed(cap, cap.apex) == Verdict::fails;
   return refuted && cap_ball_encloses_repaired(cap, cap.apex) == Verdict::holds ? 0 : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of a2_two_phase_skinning: a vertex between a joint that scales and one that does not.
+// Pins cases of a2_two_phase_skinning: a vertex between a joint that scales and one that does not.
 #pragma once
 
 #include "lemmas/a2_two_phase_skinning.hpp"

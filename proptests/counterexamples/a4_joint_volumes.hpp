@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of a4_joint_volumes: a vertex that a joint at rest has to three quarters, and is pulled along by another.
+// Pins cases of a4_joint_volumes: a vertex that a joint at rest has to three quarters, and is pulled along by another.
 #pragma once
 
 #include "lemmas/a4_joint_volumes.hpp"
@@ -14,7 +14,8 @@ using Volume = refitlab::CarriedVolume<Q>;
 inline const Point vertex(0, 0, 0), ahead(1, 0, 0);
 inline const std::vector<Q> weights{Q(3, 4), Q(1, 4)};
 
-// The vertex is in the volume of the joint at rest, and 4 beside that of the other one, which comes nearer by 4.
+// Returns two volumes: the vertex is in the volume of the joint at rest, and 4 beside that of the other one, which comes nearer
+// by 4.
 inline std::vector<Volume> pulled(const Q& growth) {
   refitlab::RigidTransform<Q> at_rest, coming;
   coming.translation = Point(4, 0, 0);

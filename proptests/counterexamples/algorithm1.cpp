@@ -14,7 +14,7 @@ using gen::RationalQuaternion;
 using gen::RationalVec;
 using Numbers = std::vector<Rational>;
 
-// S = [p, 0], joints that turn about the rotation center 0, so that only rotations matter.
+// Returns a case with S = [p, 0] and joints that turn about the rotation center 0, so that only rotations matter.
 gen::RefitCase about_origin(const RationalVec<3>& p, const std::vector<RationalQuaternion>& rotations, const Numbers& low,
                             const Numbers& high) {
   gen::SetCase set;
@@ -37,7 +37,7 @@ const std::vector<PinnedRefit>& algorithm1() {
       {"the ball of a cap beyond 90 degrees (line 15)",
        about_origin(x, {one, one, one, q(half, half, half, half)}, Numbers(4, Rational(0)), Numbers(4, Rational(1))),
        Numbers(4, quarter), false},
-      // Of the last two joints the matrices' quaternions are (33/65, 56/65, 0, 0) and (33/65, -56/65, 0, 0).
+      // The matrices' quaternions of the last two joints are (33/65, 56/65, 0, 0) and (33/65, -56/65, 0, 0).
       {"a sphere of radius 1 or more around the quaternions gives a negative radius (no case for it)",
        about_origin(y, {steep, steep, steep, q(-steep[0], steep[1], 0, 0)}, Numbers(4, Rational(0)), Numbers(4, Rational(1))),
        {Rational(0), Rational(0), Rational(0), Rational(1)},

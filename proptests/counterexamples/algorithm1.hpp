@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned refits on which Algorithm 1 as printed fails or is undefined, and the repaired one holds.
+// Declares pinned refits on which Algorithm 1 as printed fails or is undefined, and the repaired one holds.
 #pragma once
 
 #include <string>
@@ -12,8 +12,10 @@ namespace proptests::counterexamples {
 struct PinnedRefit {
   std::string finding;  // what is wrong in print
   gen::RefitCase input;
-  std::vector<gen::Rational> weights;  // of a vertex at S's center, in the first joint-set
-  bool undefined;                      // the printed algorithm divides by zero; else its ball misses the vertex
+  // These are the weights of a vertex at S's center, in the first joint-set.
+  std::vector<gen::Rational> weights;
+  // The printed algorithm divides by zero; otherwise its ball misses the vertex.
+  bool undefined;
 };
 
 const std::vector<PinnedRefit>& algorithm1();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of b2_control_hull_encloses: what goes wrong without each hypothesis.
+// Pins cases of b2_control_hull_encloses: what goes wrong without each hypothesis.
 #pragma once
 
 #include "lemmas/b2_control_hull_encloses.hpp"
@@ -15,18 +15,19 @@ using Blend = refitlab::SphericalBlend<Q>;
 inline const std::vector<Point> at_origin{Point(0, 0, 0), Point(0, 0, 0)};
 inline const std::vector<Q> halves{Q(1, 2), Q(1, 2)}, beyond_the_first{2, -1};
 
-// W_12 = -3/5: two control points have the weight -1/15 and lie on the far side; the image is (0, -3/5, 4/5).
+// With W_12 = -3/5 two control points have the weight -1/15 and lie on the far side, and the image is (0, -3/5, 4/5).
 inline const Blend far_apart{{Rotation(1, 0, 0, 0), Rotation(Q(-3, 5), Q(4, 5), 0, 0)}, at_origin, Point(0, 1, 0)};
 inline const Point upwards(0, 0, 1);
 
-// W_12 = -1/4, but all control points of degree 3 have positive weights: more than half a turn apart, and still a hull.
+// With W_12 = -1/4 all control points of degree 3 still have positive weights: they are more than half a turn apart, and there is
+// still a hull.
 inline const Blend beyond_half_a_turn{{Rotation(1, 0, 0, 0), Rotation(Q(-1, 4), 1, 0, 0)}, at_origin, Point(0, 1, 0)};
 
-// W_12 = 3/5: a proper hull, in z >= 0; the weights (2, -1) turn the other way.
+// With W_12 = 3/5 there is a proper hull, in z >= 0, and the weights (2, -1) turn the other way.
 inline const Blend near{{Rotation(1, 0, 0, 0), Rotation(Q(3, 5), Q(4, 5), 0, 0)}, at_origin, Point(0, 1, 0)};
 inline const Point downwards(0, 0, -1);
 
-// A ball of radius 1 that rests; a vertex that is not in it.
+// A ball of radius 1 rests, and a vertex is not in it.
 inline const Blend resting{{Rotation(1, 0, 0, 0)}, {Point(0, 0, 0)}, Point(0, 0, 0)};
 inline const std::vector<Q> all{1};
 inline const refitlab::Ball3<Q> unit_ball{Point(0, 0, 0), 1};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of b7_motion_bound: what goes wrong without each hypothesis.
+// Pins cases of b7_motion_bound: what goes wrong without each hypothesis.
 #pragma once
 
 #include "lemmas/b7_motion_bound.hpp"
@@ -16,8 +16,8 @@ inline const Point origin(0, 0, 0), y_axis(0, 1, 0);
 inline const refitlab::Quaternion<Q> identity(1, 0, 0, 0);
 inline const std::vector<Q> halves{Q(1, 2), Q(1, 2)}, beyond_the_first{11, -10};
 
-// A turn by 33 degrees about the x axis, with the sign that takes the long way round: half-way y is at -y, as far as
-// can be from the two images, which are close together.
+// A joint turns by 33 degrees about the x axis, with the sign that takes the long way round: half-way y is at -y, as far as can
+// be from the two images, which are close together.
 inline const Transforms long_way{{identity, origin}, {{Q(-24, 25), Q(7, 25), 0, 0}, origin}};
 inline const Q short_cosine(24, 25);
 inline const Transforms short_way{{identity, origin}, {{short_cosine, Q(7, 25), 0, 0}, origin}};

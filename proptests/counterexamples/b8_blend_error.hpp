@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of b8_blend_error: where it is sharp, and what goes wrong without each hypothesis.
+// Pins cases of b8_blend_error: where it is sharp, and what goes wrong without each hypothesis.
 #pragma once
 
 #include "lemmas/b8_blend_error.hpp"
@@ -16,12 +16,12 @@ using Error = refitlab::BlendError<Q>;
 inline const Rotation still(1, 0, 0, 0), zero(0, 0, 0, 0);
 inline const Point across(0, 1, 0);
 
-// The nearest to the identity of all quaternions that turn about the x axis by twice the angle of cosine 4/5. A point across that axis is
-// carried by just as much as the bound allows, 6/5.
+// This is the nearest to the identity of all quaternions that turn about the x axis by twice the angle of cosine 4/5. A point
+// across that axis is carried by exactly as much as the bound allows, 6/5.
 inline const Rotation nearest(Q(16, 25), Q(12, 25), 0, 0);
 inline const Error of_nearest{Q(3, 5), 0, 0, 1};
 
-// Half as long, a blend turns twice as much by the same error: kappa is 2.
+// A blend that is half as long turns twice as much by the same error: kappa is 2.
 inline const Rotation half(Q(1, 2), 0, 0, 0), half_off(Q(8, 25), Q(6, 25), 0, 0);
 
 // Duals that differ by 1/4 move by 2 kappa times that.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of c5_skinned_motion: what blending adds to the motion of joints.
+// Pins cases of c5_skinned_motion: what blending adds to the motion of joints.
 #pragma once
 
 #include "lemmas/c5_skinned_motion.hpp"
@@ -16,8 +16,8 @@ inline const Point zero(0, 0, 0);
 inline const refitlab::Moment<Q, 3> at_origin{zero, zero, zero}, at_x{Point(1, 0, 0), zero, zero};
 inline const std::vector<Q> halves{Q(1, 2), Q(1, 2)};
 
-// Quaternions about z whose blend at halves is 3/5 long: one that turns at 2 radians a second, one at rest, and one in the
-// place of that at rest that turns as fast as the first.
+// These quaternions about z have a blend at halves that is 3/5 long: one turns at 2 radians a second, one is at rest, and one in
+// the place of that at rest turns as fast as the first.
 inline const refitlab::Moment<Q, 4> ahead{{Q(3, 5), 0, 0, Q(4, 5)}, {Q(-4, 5), 0, 0, Q(3, 5)}, {Q(-3, 5), 0, 0, Q(-4, 5)}},
     behind{{Q(3, 5), 0, 0, Q(-4, 5)}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     along{{Q(3, 5), 0, 0, Q(-4, 5)}, {Q(4, 5), 0, 0, Q(3, 5)}, {Q(-3, 5), 0, 0, Q(4, 5)}};

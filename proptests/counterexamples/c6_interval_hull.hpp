@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of c6_interval_hull: what leaves the hull of the ends.
+// Pins cases of c6_interval_hull: what leaves the hull of the ends.
 #pragma once
 
 #include "lemmas/c6_interval_hull.hpp"
@@ -14,8 +14,8 @@ using Slab = refitlab::Slab<Q>;
 
 inline const Point x_axis(1, 0, 0), origin(0, 0, 0);
 
-// A hand that turns from (4/5, -3/5) to (4/5, 3/5) in a second, by a slerp: half-way it is at (1, 0). It turns by 2 asin(3/5),
-// less than 1.288 radians, and bends by less than 1.66.
+// A hand turns from (4/5, -3/5) to (4/5, 3/5) in a second, by a slerp: half-way it is at (1, 0). It turns by 2 asin(3/5), less
+// than 1.288 radians, and bends by less than 1.66.
 inline const Point hand_start(Q(4, 5), Q(-3, 5), 0), hand_end(Q(4, 5), Q(3, 5), 0), hand_middle(1, 0, 0);
 inline const Slab hand_slab{Q(4, 5), Q(4, 5)};
 inline const Q hand_bends(166, 100);

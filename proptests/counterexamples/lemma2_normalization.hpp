@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of lemma2_normalization.
+// Pins cases of lemma2_normalization.
 #pragma once
 
 #include "lemmas/exact/exact.hpp"
@@ -16,10 +16,10 @@ using Quaternions = refitlab::VecList<Q, 4>;
 inline const Quat one(1, 0, 0, 0), i(0, 1, 0, 0);
 inline const Weights halves{Q(1, 2), Q(1, 2)}, ones{1, 1};
 
-// The smallest: 1 and -1 blend to 0, which is no rotation.
+// The smallest case is that 1 and -1 blend to 0, which is no rotation.
 inline const Quaternions antipodal{one, -one};
 
-// Without an antipodal pair: 3/8 + 2 * 5/16 * (-3/5) = 0.
+// This case has no antipodal pair: 3/8 + 2 * 5/16 * (-3/5) = 0.
 inline const Quaternions three_around{one, Quat(Q(-3, 5), Q(4, 5), 0, 0), Quat(Q(-3, 5), Q(-4, 5), 0, 0)};
 inline const Weights three_ones{1, 1, 1}, cancelling{Q(3, 8), Q(5, 16), Q(5, 16)};
 

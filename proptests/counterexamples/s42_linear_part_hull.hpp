@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of s42_linear_part_hull: what goes wrong without each hypothesis.
+// Pins cases of s42_linear_part_hull: what goes wrong without each hypothesis.
 #pragma once
 
 #include "lemmas/exact/exact.hpp"
@@ -10,11 +10,11 @@ namespace proptests::s42 {
 using Q = refitlab::Rational;
 using Point = refitlab::Vec<Q, 3>;
 
-// Two joints that keep the rotation center and move it by (1, 0, 0), and free weights.
+// Two joints keep the rotation center and move it by (1, 0, 0), and the weights are free.
 inline const refitlab::WeightBounds<Q> segment{{0, 0}, {1, 1}};
 inline const std::vector<Point> points{Point(0, 0, 0), Point(1, 0, 0)};
 inline const std::vector<Q> second{0, 1};
-// Bounds that admit no weight above 1/2.
+// These bounds admit no weight above 1/2.
 inline const refitlab::WeightBounds<Q> halves{{0, 0}, {Q(1, 2), Q(1, 2)}};
 
 // Without the second weight vertex its point is beyond the hull.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of s43_distance_range: what goes wrong without each hypothesis, and where the paper is wrong.
+// Pins cases of s43_distance_range: what goes wrong without each hypothesis, and where the paper is wrong.
 #pragma once
 
 #include "lemmas/exact/exact.hpp"
@@ -12,19 +12,20 @@ using Point = refitlab::Vec<Q, 2>;
 
 struct Case {
   Point center;
-  Q radius, distance;  // distance: d_H, 0 where there is none
+  // distance is d_H, and 0 where there is none.
+  Q radius, distance;
 };
 
-// Printed: ||c|| + r >= 1 and r < 1. A ball outside the unit circle that does not touch it has d_H = 13/8.
+// The printed conditions are ||c|| + r >= 1 and r < 1. A ball outside the unit circle that does not touch it has d_H = 13/8.
 inline const Case outside{Point(3, 0), Q(1, 2), Q(13, 8)};
-// Inside it without touching: d_H = 19/16.
+// A ball inside it that does not touch it has d_H = 19/16.
 inline const Case inside{Point(Q(1, 2), 0), Q(1, 4), Q(19, 16)};
-// More than half of the circle: d_H = -1/8.
+// One that holds more than half of the circle has d_H = -1/8.
 inline const Case past_half{Point(1, 0), Q(3, 2), Q(-1, 8)};
-// About 0: no direction, no distance.
+// A ball about 0 has no direction and no distance.
 inline const Case about_zero{Point(0, 0), Q(1), Q(0)};
 
-// A point in the ball that is not on the unit circle: the ball is that point, with d_H = 5/4.
+// A point in the ball is not on the unit circle: the ball is that point, with d_H = 5/4.
 inline const Point not_unit(2, 0);
 
 }  // namespace proptests::s43_range

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of s44_sum_of_bounds: what goes wrong without each hypothesis.
+// Pins cases of s44_sum_of_bounds: what goes wrong without each hypothesis.
 #pragma once
 
 #include "lemmas/exact/exact.hpp"
@@ -16,11 +16,11 @@ struct Case {
   refitlab::Parts<Q> parts;
 };
 
-// r'_1 = 0, r'_2 = (2, 0, 0), F = [0, 1], r = 1. The smallest ball of both balls is [(1, 0, 0), 2]; with r its radius
-// is 3.
+// Here r'_1 = 0, r'_2 = (2, 0, 0), F = [0, 1] and r = 1. The smallest ball of both balls is [(1, 0, 0), 2]; with r its radius is
+// 3.
 inline const refitlab::PartBounds<Q> two_points{{Point(0, 0, 0), Point(2, 0, 0)}, {Point(0, 0, 0), 1}, 1};
 inline const refitlab::Ball3<Q> around_both{Point(1, 0, 0), 2};
-// The farthest vertex: at r'_2, with both other parts at their ends. It is on the boundary.
+// The farthest vertex is at r'_2, with both other parts at their ends. It is on the boundary.
 inline const Case extreme{around_both, two_points, {{0, 1}, Point(1, 0, 0), Point(1, 0, 0)}};
 
 inline const Case not_convex{around_both, two_points, {{-1, 2}, Point(1, 0, 0), Point(1, 0, 0)}};

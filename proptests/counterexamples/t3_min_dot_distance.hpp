@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of t3_min_dot_distance: what goes wrong without each hypothesis.
+// Pins cases of t3_min_dot_distance: what goes wrong without each hypothesis.
 #pragma once
 
 #include "lemmas/exact/exact.hpp"
@@ -18,12 +18,12 @@ struct Case {
 
 inline const Point x(1, 0), twice_x(2, 0), zero(0, 0);
 
-// A vector of length 2 about its half: 1 + 1 - 1 = 1 is not twice (2 x, x) = 2.
+// A vector of length 2 is about its half: 1 + 1 - 1 = 1 is not twice (2 x, x) = 2.
 inline const Case not_unit{{twice_x}, x, 1};
-// A radius above the largest distance, and one below: the paper's form is 1/2 or 3/2 in place of 1.
+// One radius is above the largest distance, and one below: the paper's form is 1/2 or 3/2 in place of 1.
 inline const Case too_large{{x}, x, 1};
 inline const Case too_small{{x}, twice_x, 0};
-// The radius of the nearest unit: the paper's form is 1, the least dot product -1.
+// For the radius of the nearest unit, the paper's form is 1, and the least dot product is -1.
 inline const Case of_the_nearest{{x, -x}, x, 0};
 // About 0 both forms divide by 0.
 inline const Case about_zero{{x, -x}, zero, 1};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pinned cases of t3_smallest_ball_smallest_cap: what goes wrong without each hypothesis, and what the mean ball loses.
+// Pins cases of t3_smallest_ball_smallest_cap: what goes wrong without each hypothesis, and what the mean ball loses.
 #pragma once
 
 #include "lemmas/exact/exact.hpp"
@@ -12,16 +12,16 @@ using Point = refitlab::Vec<Q, 2>;
 
 struct Case {
   std::vector<Point> units;
-  std::vector<Q> coefficients;  // of the nearest point
+  std::vector<Q> coefficients;  // These are the coefficients of the nearest point.
 };
 
 inline const Point x(1, 0), y(0, 1);
 
-// Points of different lengths: the nearest one is x, the smallest ball of both is about (2, 0).
+// The points have different lengths: the nearest one is x, and the smallest ball of both is about (2, 0).
 inline const Case not_units{{x, Point(3, 0)}, {1, 0}};
-// Not the nearest point: the mean of x, x and y.
+// The mean of x, x and y is not the nearest point.
 inline const Case not_nearest{{x, y}, {Q(2, 3), Q(1, 3)}};
-// 0 in the hull: the ball is the unit ball, and the center is no direction.
+// With 0 in the hull the ball is the unit ball, and the center is no direction.
 inline const Case zero_inside{{x, -x}, {Q(1, 2), Q(1, 2)}};
 
 // The mean of x and y makes a cap of cos alpha = 0; with x twice the mean ball's cap has cos alpha = -3/5.

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How tight the control hull is for two joints with a least-squares rotation center.
+// States how tight the control hull is for two joints with a least-squares rotation center.
 //
-// As in rotation_bound.cpp, two joints with an interval of weights are the quaternions 1 + y_1 n and 1 + y_2 n, y_2 = y_1 + d, with y_1, y_2 of [-1, 1];
-// where the relative rotation of the joints is t, both are in [-tan(t/4), tan(t/4)].
-// What the vertex has along the axis n moves with the rotation center, by h W_I-weighted means of 0 and 1: along the axis each control point is between
-// the ends E_1 and E_2 of the motion. Let m be their middle, and let o be 0 or a vector across n. A control point's squared distance from m + o is
-// that across the axis plus at most h^2 / 4. So if the control points across the axis are within K ||E_1 - E_2|| / 2 of m + o, K >= 1, then
-// all are in space, too, for any h. So let h = 0, and let the vertex be (1, 0, 0), n being (0, 0, 1).
-// The true motion has both ends in it. Any ball that holds them has the radius ||E_1 - E_2|| / 2 or more.
+// As in rotation_bound.cpp, two joints with an interval of weights are the quaternions 1 + y_1 n and 1 + y_2 n, y_2 = y_1 + d,
+// with y_1, y_2 of [-1, 1]; where the relative rotation of the joints is t, both are in [-tan(t/4), tan(t/4)]. What the vertex
+// has along the axis n moves with the rotation center, by h W_I-weighted means of 0 and 1: along the axis each control point is
+// between the ends E_1 and E_2 of the motion. Let m be their middle, and let o be 0 or a vector across n. A control point's
+// squared distance from m + o is that across the axis plus at most h^2 / 4. So if the control points across the axis are within K
+// ||E_1 - E_2|| / 2 of m + o, K >= 1, then all are in space, too, for any h. So let h = 0, and let the vertex be (1, 0, 0), n
+// being (0, 0, 1). The true motion has both ends in it. Any ball that holds them has the radius ||E_1 - E_2|| / 2 or more.
 //
-// For d <= 1/8 no subdivision is needed, as for any q_1 and q_2 at most 45 degrees apart (y_1 and y_2 are less than 7.2 degrees apart):
-// let c = cos and s = sin of that angle, and l = ||q_2|| / ||q_1||. The control point of 1 1 2 is on the tangent at E_1, 2 l s / (1 + 2 l c) away from it. The
-// chord E_1 E_2 is 2 s long and at the same angle from the tangent, so by Thales the point is in the ball over the chord if l / (1 + 2 l c) <= c, that is
-// l (1 - 2 c^2) <= c, and 2 c^2 >= 1. That of 1 2 2 is the same with 1 / l. So K = 1 there.
+// For d <= 1/8 no subdivision is needed, as for any q_1 and q_2 at most 45 degrees apart (y_1 and y_2 are less than 7.2 degrees
+// apart): let c = cos and s = sin of that angle, and l = ||q_2|| / ||q_1||. The control point of 1 1 2 is on the tangent at E_1,
+// 2 l s / (1 + 2 l c) away from it. The chord E_1 E_2 is 2 s long and at the same angle from the tangent, so by Thales the point
+// is in the ball over the chord if l / (1 + 2 l c) <= c, that is l (1 - 2 c^2) <= c, and 2 c^2 >= 1. That of 1 2 2 is the same
+// with 1 / l. So K = 1 there.
 //
-// algorithms/runtime/refit/control_hull.hpp halves where (q_1, q_2) is at most half of the product of their lengths. Boxes that have both kinds of pairs
-// are proved with and without the halving. Once halved, two joints are at most a quarter turn apart.
+// algorithms/runtime/refit/control_hull.hpp halves where (q_1, q_2) is at most half of the product of their lengths. Boxes that
+// have both kinds of pairs are proved with and without the halving. Once halved, two joints are at most a quarter turn apart.
 //
-// For joints half a turn apart and all weights K = sqrt(17) / 4 = 1.0307764 is needed: the half circle has the control points (1, 0), (1, 1/2), (2/3, 1), (0, 1) and
-// so on, and the smallest ball of these has its center at (0, 1/4).
+// For joints half a turn apart and all weights K = sqrt(17) / 4 = 1.0307764 is needed: the half circle has the control points (1,
+// 0), (1, 1/2), (2/3, 1), (0, 1) and so on, and the smallest ball of these has its center at (0, 1/4).
 #include "lemmas/b2_control_hull_encloses.hpp"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ SphericalBlend<Interval> blend_of(const Interval& y1, const Interval& y2) {
 
 Places places_of(const SphericalBlend<Interval>& blend) { return positions(control_points(blend)); }
 
-// From one end to the other, the middle twice.
+// Returns the places from one end to the other, with the middle twice.
 Places halved_places(const SphericalBlend<Interval>& blend) {
   Places out = places_of(half_of(blend, Half{0, 1}));
   const Places second = places_of(half_of(blend, Half{1, 0}));
@@ -50,7 +51,7 @@ Places halved_places(const SphericalBlend<Interval>& blend) {
   return out;
 }
 
-// The ends of the true motion: what the blend itself makes of the vertex.
+// Holds the ends of the true motion: what the blend itself makes of the vertex.
 struct Ends {
   Vec<Interval, 3> first, last;
 };
@@ -64,8 +65,9 @@ Ends ends_of(const SphericalBlend<Interval>& blend) {
   return {place_at(blend, {Interval(1), Interval(0)}), place_at(blend, {Interval(0), Interval(1)})};
 }
 
-// All places are within k times half of the ends' distance from the point that is off their middle by this share of half of the distance, to
-// the side to which the motion bends. The first and the last place are the ends, whose squared distance is 1 + offset^2 times that of the middle.
+// Judges whether all places are within k times half of the ends' distance from the point that is off their middle by this share
+// of half of the distance, to the side to which the motion bends. The first and the last place are the ends, whose squared
+// distance is 1 + offset^2 times that of the middle.
 Judgement are_within(const Places& places, const Ends& ends, const Interval& k, const Interval& offset) {
   const Vec<Interval, 3> half = (ends.last - ends.first) / Interval(2), middle = (ends.first + ends.last) / Interval(2);
   const Vec<Interval, 3> center{middle[0] + half[1] * offset, middle[1] - half[0] * offset, middle[2]};
@@ -87,14 +89,14 @@ Judgement control_points_are_in_ball_over_ends(std::span<const Interval> at, con
   return are_within(places_of(blend), ends_of(blend), k, Interval(0));
 }
 
-// The best of some balls, whose centers are off to the side by a few sixteenths of half of the distance.
+// Returns the best judgement for some balls, whose centers are off to the side by a few sixteenths of half of the distance.
 Judgement are_within_some(const Places& places, const Ends& ends, const Interval& k) {
   Judgement best = are_within(places, ends, k, Interval(0));
   for (int sixteenths = 1; sixteenths <= 4 && best.outcome == Outcome::open; ++sixteenths) {
     const Judgement found = are_within(places, ends, k, Interval(sixteenths / 16.0));
     if (!(best.excess <= found.excess)) best = found;
   }
-  best.refuted = false;  // by another ball, perhaps not
+  best.refuted = false;  // Another ball may not be refuted.
   return best;
 }
 

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far dual quaternion blending is from linear blending, for two, three and four joints. The lemma has
-// 9/16 for any number of joints, and the sharp 1 / (4 (1 + c)) from c = 3/5 on.
+// States how far dual quaternion blending is from linear blending, for two, three and four joints. The lemma has 9/16 for any
+// number of joints, and the sharp 1 / (4 (1 + c)) from c = 3/5 on.
 //
-// The parameters are all there is: ||B - L||^2 <= (1 - c) F A(f)^2 with F = deviation_share_of_pairs (the lemma's proof), which knows of
-// the quaternions the dot products c_kl = 1 - a y_kl alone, where a = 1 - c and c is the least of them. So 0 <= y_kl <= 1, and one of them is 1.
-// Triples of y that no quaternions have do no harm. F is a quotient without a cancelling 1 - c, so a = 0 is a point like any other.
-// - Two joints: y = 1, and u = (1 - w, w). Joints can be exchanged, so w <= 1/2.
-// - Three joints are numbered so that y_12 = 1. Then 1 and 2 can still be exchanged, so u = ((1 - u_3) (1 - s), (1 - u_3) s, u_3) with s <=
-//   1/2; at u_3 = 1 the share s means nothing, which does no harm.
-// - Four joints: 1 and 2 can be exchanged, and 3 and 4. u = ((1 - r) (1 - s), (1 - r) s, r (1 - t), r t) with s, t <= 1/2.
+// The parameters are all there is: ||B - L||^2 <= (1 - c) F A(f)^2 with F = deviation_share_of_pairs (the lemma's proof), which
+// knows of the quaternions the dot products c_kl = 1 - a y_kl alone, where a = 1 - c and c is the least of them. So 0 <= y_kl <=
+// 1, and one of them is 1. Triples of y that no quaternions have do no harm. F is a quotient without a cancelling 1 - c, so a = 0
+// is a point like any other.
+// - Two joints have y = 1 and u = (1 - w, w). They can be exchanged, so w <= 1/2.
+// - Three joints are numbered so that y_12 = 1. Then 1 and 2 can still be exchanged, so u = ((1 - u_3) (1 - s), (1 - u_3) s, u_3)
+// with s <= 1/2; at u_3 = 1 the share s means nothing, which does no harm.
+// - Of four joints, 1 and 2 can be exchanged, and so can 3 and 4. So u = ((1 - r) (1 - s), (1 - r) s, r (1 - t), r t) with s, t
+// <= 1/2.
 //
-// Two joints at halves that turn about an axis reach 1 / (4 (1 + c)), a third joint having no weight. The quaternions 1, i, j at thirds have F = 1/3, and 1, i, j, k at quarters 3/8. No
-// joints are known to have ||B - L||^2 so large: F comes of the inequality of Cauchy and Schwarz, which is strict there.
+// Two joints at halves that turn about an axis reach 1 / (4 (1 + c)), a third joint having no weight. The quaternions 1, i, j at
+// thirds have F = 1/3, and 1, i, j, k at quarters have 3/8. No joints are known to have ||B - L||^2 so large: F comes from the
+// inequality of Cauchy and Schwarz, which is strict there.
 #include "lemmas/b7_motion_bound.hpp"
 
 #include <array>
@@ -44,7 +47,7 @@ Interval share_of_four(std::span<const Interval> at) {
   return deviation_share_of_pairs<Interval>(u, versines, at[0]);
 }
 
-// 1 / (4 (1 + c)): what two joints at halves reach.
+// Returns 1 / (4 (1 + c)), which two joints at halves reach.
 Interval at_halves(std::span<const Interval> at) { return Interval(1) / (Interval(4) * (Interval(2) - at[0])); }
 
 }  // namespace

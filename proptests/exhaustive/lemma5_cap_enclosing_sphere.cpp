@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lemma 5, repaired, for all angles: the ball holds the cap. The radius of the sphere is 1, and its center 0: the statement does not change
-// when all is moved, turned or scaled.
+// States Lemma 5, repaired, for all angles: the ball holds the cap. The radius of the sphere is 1, and its center 0: the
+// statement does not change when all is moved, turned or scaled.
 //
-// The parameters are the versine v = 1 - cos alpha, which goes through all angles of [0, pi], and the versine of x as a share s of it: the
-// points of the cap are those with 1 - (x, a) = s v, s in [0, 1]. In the plane of a and x they are (1 - s v, +-sqrt(s v (2 - s v))), and
-// the ball's center is on the axis, so two dimensions are enough.
+// The parameters are the versine v = 1 - cos alpha, which takes all values for angles of [0, pi], and the versine of x as a share
+// s of it: the points of the cap are those with 1 - (x, a) = s v, s in [0, 1]. In the plane of a and x they are (1 - s v,
+// +-sqrt(s v (2 - s v))), and the ball's center is on the axis, so two dimensions are enough.
 //
-// The points of the rim are on the ball's surface, so intervals prove the statement with a factor K above 1 only, and 2^-20 for the cap
-// that is a point. The lemma itself is proved in Coq without either; this shows that the formula that runs is the one of that proof.
+// The points of the rim are on the ball's surface, so intervals prove the statement with a factor K above 1 only, and 2^-20 for
+// the cap that is a point. The lemma itself is proved in Coq without either; this shows that the formula that runs is the one of
+// that proof.
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
 
 #include "proptests/exhaustive/theorems.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// exhaustive: proves a theorem on all of a box of parameters, and writes a certificate for proptests/exhaustive/check.
+// The program exhaustive proves a theorem on all of a box of parameters, and writes a certificate for proptests/exhaustive/check.
 #include <boost/program_options.hpp>
 #include <chrono>
 #include <cmath>
@@ -36,7 +36,7 @@ struct Part {
   std::size_t index, count;
 };
 
-// "2/8" is the third of eight.
+// Returns the part that a text names: "2/8" is the third of eight.
 Part part_of(const std::string& text) {
   unsigned index = 0, count = 0;
   char rest;
@@ -45,7 +45,7 @@ Part part_of(const std::string& text) {
   return {index, count};
 }
 
-// Lines that say how much is proved, and about how long the rest takes.
+// Writes lines that say how much is proved, and about how long the rest takes.
 class Progress {
  public:
   Progress(std::string name, double all) : name_(std::move(name)), all_(all) {}
@@ -112,7 +112,8 @@ int main(int argc, char** argv) {
   } catch (const proptests::exhaustive::NotProved& e) {
     std::cerr << "exhaustive: " << e.what() << '\n';
     return 1;
-  } catch (const std::exception& e) {  // what says nothing of the theorem
+    // This says nothing of the theorem.
+  } catch (const std::exception& e) {
     std::cerr << "exhaustive: " << e.what() << '\n';
     return 3;
   }

@@ -60,7 +60,7 @@ class Prover {
     return box;
   }
 
-  // In the middle, and now and then in the corners.
+  // Looks in the middle of the box, and now and then in its corners.
   void look_for_counterexample(const Box& box, int depth) const {
     if (judge(middle_of(box)).refuted) fail(middle_of(box), "fails at");
     if (depth % 8) return;
@@ -71,7 +71,7 @@ class Prover {
     }
   }
 
-  // As a share of the root's, or of the parameter itself.
+  // Returns a length as a share of the root's, or of the parameter itself.
   double length_in(const Box& box, std::size_t axis) const {
     const Parameter& p = theorem_.parameters[axis];
     return (box[axis].sup() - box[axis].inf()) / (p.is_scale ? box[axis].sup() : p.high - p.low);
@@ -101,8 +101,9 @@ class Prover {
   Counts counts_;
 };
 
-// The parameter across which a cut leaves the least excess in both halves together, of those in which the box is not much shorter than in
-// another: else the search might cut off proved halves for ever, and never what keeps the rest from being proved.
+// Returns the parameter across which a cut leaves the least excess in both halves together, of those in which the box is not much
+// shorter than in another. Otherwise the search might cut off proved halves for ever, and never what keeps the rest from being
+// proved.
 std::size_t Prover::cut_of(const Box& box) const {
   constexpr double much = 16;
   std::vector<double> lengths;
@@ -146,7 +147,8 @@ std::vector<Cell> prove_cells(const Theorem& theorem, double constant, std::size
 std::string joined(const std::vector<Cell>& cells) {
   std::string tree;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    // The cuts that the cell before has not been through: below the last one that it is on the lower side of and this cell on the upper.
+    // The cell before has not been through these cuts: they are below the last one of which it is on the lower side and this cell
+    // on the upper.
     int shared = 0;
     if (i > 0)
       while (cells[i].path.compare(0, 2 * shared + 2, cells[i - 1].path, 0, 2 * shared + 2) == 0) ++shared;

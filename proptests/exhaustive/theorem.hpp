@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A theorem about all points of a box of parameters, which is proved by cutting the box up until intervals decide.
+// Describes a theorem about all points of a box of parameters, which is proved by cutting the box up until intervals decide.
 #pragma once
 
 #include <span>
@@ -14,8 +14,10 @@ using refitlab::Interval;
 
 struct Parameter {
   std::string name;
-  double low, high;       // dyadic numbers with few bits, so that all middles are exact
-  bool is_scale = false;  // above 0, and boxes are to be small relative to it
+  // These are dyadic numbers with few bits, so that all middles are exact.
+  double low, high;
+  // It is above 0, and boxes are to be small relative to it.
+  bool is_scale = false;
 };
 
 enum class Outcome {
@@ -24,15 +26,15 @@ enum class Outcome {
   outside  // no point of the box is among those that the statement is about
 };
 
-// What intervals say of a box. excess is an upper bound of how much the smaller side is above the greater one, and tells which cut
-// helps most. refuted says that the statement fails at every point of the box.
+// Holds what intervals say of a box. excess is an upper bound of how much the smaller side is above the greater one, and shows
+// which cut helps most. refuted says that the statement fails at every point of the box.
 struct Judgement {
   Outcome outcome;
   double excess;
   bool refuted = false;
 };
 
-// left <= right, at all points of a box.
+// Judges whether left <= right at all points of a box.
 inline Judgement at_most(const Interval& left, const Interval& right) {
   const Interval excess = left - right;
   return {refitlab::less_equal(left, right) == refitlab::Verdict::holds ? Outcome::proved : Outcome::open, excess.sup(),
@@ -47,7 +49,8 @@ struct Theorem {
   std::string statement;
   std::vector<Parameter> parameters;
   double small, real;  // the constant K of a small run, and of a real one
-  double needed;       // the statement is known to be false, or no theorem, for any K below this
+  // The statement is known to be false, or no theorem, for any K below this.
+  double needed;
   Judgement (*judge)(std::span<const Interval> at, const Interval& constant);
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The theorems of this folder; each file has those of the lemma that it is named after.
+// Declares the theorems of this folder. Each file has those of the lemma that it is named after.
 #pragma once
 
 #include "proptests/exhaustive/theorem.hpp"
@@ -13,7 +13,7 @@ std::vector<Theorem> theorems_of_motion_bound();
 
 std::vector<Theorem> all_theorems();
 
-// The one of this name. Throws std::runtime_error that names all of them.
+// Returns the theorem of this name. Throws std::runtime_error, which lists all names, if there is none.
 Theorem theorem_named(const std::string& name);
 
 }  // namespace proptests::exhaustive

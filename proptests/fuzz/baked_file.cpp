@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that refitlab bake wrote: whatever the bytes, with checksums that fit them, the chunk of refitlab is refused or read, and what
-// is read is written as it was.
+// Tries files that refitlab bake wrote: whatever the bytes, with checksums that fit them, the chunk of refitlab is refused or
+// read, and what is read is written as it was.
 #include "algorithms/runtime/tree/baked_file.hpp"
 
 #include "algorithms/runtime/tree/glb_file.hpp"
@@ -11,7 +11,8 @@ using namespace refitlab;
 
 namespace {
 
-// The chunk with checksums that fit, of its two parts too, where their sizes do. What pads it to words is not kept.
+// Returns the chunk with checksums that fit, also of its two parts if their sizes fit. The bytes that pad it to words are not
+// kept.
 std::string resealed_chunk(std::string chunk) {
   constexpr std::size_t parts_at = 28 + 8;
   for (std::size_t at = parts_at, part = 1; part <= 2 && at + 8 <= chunk.size(); ++part) {

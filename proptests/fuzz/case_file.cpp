@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reader of case files: cases whose fields can be read, or a refusal.
+// Tries the reader of case files: it returns cases whose fields can be read, or refuses.
 #include "proptests/cases/case_file.hpp"
 
 #include "proptests/fuzz/target.hpp"
@@ -10,7 +10,8 @@ FUZZ_TARGET(case_file, bytes) try {
   const std::vector<Case> cases = parse_cases(bytes, "fuzz.json", [](const Case&) {});
   as_markdown(cases);
   for (const Case& c : cases) try {
-      read_refit(c.fields());  // whatever the case is about
+      // It is read whatever the case is about.
+      read_refit(c.fields());
     } catch (const CaseError& e) {
       check(std::string(e.what()).find("case '" + c.name + "'") != std::string::npos, "a refusal names the case");
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Baked characters: whatever the bytes, with a checksum that fits them, they are refused or make a character that can be refitted.
+// Tries baked characters: whatever the bytes, with a checksum that fits them, they are refused or make a character that can be
+// refitted.
 #include "algorithms/runtime/tree/character_file.hpp"
 
 #include "algorithms/runtime/refit/deformed_reference.hpp"

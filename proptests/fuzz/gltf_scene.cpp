@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reader of glTF files, binary and text: a valid model with a skin matrix for each joint, or a refusal.
+// Tries the reader of glTF files, binary and text: it returns a valid model with a skin matrix for each joint, or refuses.
 #include "algorithms/model/gltf_scene.hpp"
 
 #include "algorithms/model/model_of_scene.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The conversion of scenes: a valid model whose clips give rigid poses or say why not, or a refusal.
+// Tries the conversion of scenes: it returns a valid model whose clips give rigid poses or say why not, or refuses.
 #include "algorithms/model/model_of_scene.hpp"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes with the header that belongs to them, as algorithms/runtime/tree/binary.hpp seals them: a fuzzer does not guess checksums.
+// Gives bytes the header that belongs to them, as algorithms/runtime/tree/binary.hpp seals them: a fuzzer does not guess
+// checksums.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,7 @@
 
 namespace proptests::fuzz {
 
-// The bytes with the size and the checksum in the header that belong to them; behind that nothing is changed.
+// Returns the bytes with the size and the checksum in the header that belong to them. Nothing behind it is changed.
 inline std::string resealed(std::string bytes) {
   constexpr std::size_t size_at = 12, sum_at = 20, body_at = 28;
   if (bytes.size() < body_at) return bytes;

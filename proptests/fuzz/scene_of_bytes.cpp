@@ -11,12 +11,12 @@ namespace {
 
 const char* const names[] = {"a", "b", "c", "d", "e", "f", "g", "h"};
 
-// Mostly a multiple of 1/8 that is not large; sometimes any float, not a number and infinite ones among them.
+// Returns a number that is mostly a small multiple of 1/8, and sometimes any float, also no number or infinity.
 float number(ByteStream& in) {
   return in.one_in(32) ? in.any_float() : static_cast<float>(static_cast<int>(in.below(65)) - 32) / 8;
 }
 
-// Nothing of no elements: assimp would not free it.
+// Returns null for no elements, which assimp would not free.
 template <class T>
 T* array(unsigned count) {
   return count > 0 ? new T[count] : nullptr;
@@ -34,7 +34,7 @@ aiQuaternion rotation(ByteStream& in) {
   return q;
 }
 
-// Mostly rigid.
+// Returns a matrix that is mostly rigid.
 aiMatrix4x4 matrix(ByteStream& in) {
   aiMatrix4x4 out;
   if (in.one_in(8))
@@ -54,7 +54,7 @@ aiNode* node(ByteStream& in, unsigned index, unsigned meshes) {
   return out;
 }
 
-// Each after its parent.
+// Makes a tree in which each node comes after its parent.
 aiNode* tree(ByteStream& in, unsigned meshes) {
   std::vector<aiNode*> nodes = {node(in, 0, meshes)};
   const unsigned count = 1 + in.below(8);

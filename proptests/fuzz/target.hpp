@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fuzz targets: what is tried on any bytes whatever. One file each, named as its target:
+// Declares fuzz targets: what is tried on any bytes whatever. Each has a file, named as its target:
 //
 //   FUZZ_TARGET(case_file, bytes) { ... }
 //
-// A target returns for bytes that are good and for those that are refused as they should be; anything else that happens
-// is a finding: an exception that gets out, a broken promise (check), a sanitizer's complaint, no end. Compiled with
-// REFITLAB_FUZZER a file is a libFuzzer program (proptests/fuzz/run); else it registers itself, and the test suite
-// `fuzz` tries the corpus, and whatever was ever found, on it.
+// A target returns for bytes that are good and for those that are refused as they should be. Anything else that happens is a
+// finding: an exception that gets out, a broken promise (check), a sanitizer's complaint, no end. Compiled with REFITLAB_FUZZER a
+// file is a libFuzzer program (proptests/fuzz/run). Otherwise it registers itself, and the test suite `fuzz` tries the corpus,
+// and whatever was ever found, on it.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Affine maps: rotations behind scales along axes, and any.
+// Draws affine maps: rotations behind scales along axes, and any.
 #pragma once
 
 #include "lemmas/a1_affine_image.hpp"

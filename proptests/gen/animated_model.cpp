@@ -87,7 +87,7 @@ class ModelMaker {
     return m;
   }
 
-  // In order; some of them together, at the ends, before 0 and beyond the duration.
+  // Returns times in order. Some of them are together, at the ends, before 0 or beyond the duration.
   std::vector<double> times() {
     const double scale = plan_.duration > 0 ? plan_.duration : 1;
     std::vector<double> out;
@@ -134,7 +134,7 @@ class ModelMaker {
     return most / (plan_.duration > 0 ? plan_.duration : 1);
   }
 
-  // A key after q: anywhere, the same, the opposite one or nearly so, half a turn away or nearly so, or a little further.
+  // Returns a key after q: anywhere, the same, the opposite one or nearly so, half a turn away or nearly so, or a little further.
   Eigen::Quaterniond next_turn(const Eigen::Quaterniond& q) {
     const Eigen::Vector4d c = q.coeffs(), across = Eigen::Vector4d(c[3], -c[2], c[1], -c[0]);
     if (plan_.smooth) return Eigen::Quaterniond(Eigen::Vector4d((c + 0.4 * turn().coeffs()).normalized()));
@@ -197,7 +197,7 @@ class ModelMaker {
     if (plan_.rigid && plan_.noise == 0) animation.tracks.back().scales = {{{0, Eigen::Vector3d::Ones()}}};
   }
 
-  // Where the matrix has parts.
+  // Adds a rest transform where the matrix has parts.
   void add_rest(SceneNode& node) {
     const Eigen::Matrix3d m = node.local.topLeftCorner<3, 3>();
     if ((m.transpose() * m - Eigen::Matrix3d::Identity()).norm() > 1e-9) return;
@@ -205,7 +205,7 @@ class ModelMaker {
     node.local = matrix_of(*node.rest);
   }
 
-  // Keys near those of a track of the first clip.
+  // Moves keys near those of a track of the first clip.
   void meet(Channel<Eigen::Quaterniond>& turns, const Channel<Eigen::Quaterniond>& other) {
     const Eigen::Vector4d c = other.keys[0].value.coeffs();
     Eigen::Quaterniond& q = turns.keys[0].value;
@@ -232,7 +232,7 @@ class ModelMaker {
     model_.joints.push_back({"joint " + std::to_string(j), model_.skeleton.joints.back().parent, origin});
   }
 
-  // Where the reference pose is.
+  // Returns where the reference pose is.
   Eigen::Vector3d away() const { return plan_.away * plan_.unit * Eigen::Vector3d(0.6, 0, 0.8); }
 
   void add_vertex() {
@@ -249,7 +249,7 @@ class ModelMaker {
     for (const auto& [joint, weight] : quantize_weights(weights)) model_.influences.back().push_back({joint, weight});
   }
 
-  // The first vertices are of one mesh, and the others perhaps of another, whose weights move or stay.
+  // Adds morph targets. The first vertices belong to one mesh, and the others perhaps to another, whose weights move or stay.
   void add_morphs(Animation& animation) {
     const int first = plan_.nodes == 1 || chance(0.5) ? plan_.vertices : pick(0, plan_.vertices);
     for (int mesh = 0; mesh < (first < plan_.vertices ? 2 : 1); ++mesh) {

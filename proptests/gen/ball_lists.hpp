@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lists of rational balls for volumes to be put around, and points of their convex hull.
+// Draws lists of rational balls for volumes to be put around, and points of their convex hull.
 #pragma once
 
 #include "lemmas/vocabulary/sphere.hpp"
@@ -11,14 +11,15 @@ using RationalBalls = std::vector<refitlab::Ball3<Rational>>;
 
 struct BallList {
   RationalBalls balls;
-  bool is_degenerate;  // without radii, or with centers that are equal, on a line, in a plane, on a sphere or a grid
+  // It has no radii, or centers that are equal, on a line, in a plane, on a sphere or a grid.
+  bool is_degenerate;
 };
 
-// 1 to most balls: all of radius 0, of one radius, or of any.
+// Draws 1 to most balls, all of radius 0, of one radius, or of any.
 rc::Gen<BallList> ball_list(int most = 8);
 
-// A convex combination of points of the balls, often of their surfaces and often of one ball alone. To be called inside
-// a property.
+// Draws a convex combination of points of the balls, often of their surfaces and often of one ball alone. It is to be called
+// inside a property.
 RationalVec<3> hull_point(const RationalBalls& balls);
 
 void showValue(const BallList& list, std::ostream& out);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a certificate says of a node without a model: of each piece two vertices at the center of its reference ball, one with
-// the weights of its first weight vertex, one half-way to its last one.
+// Returns what a certificate says of a node without a model: each piece has two vertices at the center of its reference ball, one
+// with the weights of its first weight vertex, and one half-way to its last one.
 #pragma once
 
 #include "algorithms/certificate/certificate.hpp"

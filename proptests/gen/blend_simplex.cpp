@@ -8,7 +8,7 @@ namespace {
 
 using namespace refitlab;
 
-// A blend of unit quaternions: shorter than 1, sometimes 0.
+// Draws a blend of unit quaternions, which is shorter than 1, and sometimes 0.
 rc::Gen<RationalQuaternion> weight_vertex_quaternion() {
   const auto blended = rc::gen::apply([](const RationalQuaternion& p, const RationalQuaternion& q,
                                          const Rational& t) { return RationalQuaternion(p * t + q * (Rational(1) - t)); },
@@ -24,7 +24,7 @@ bool are_positive(const std::vector<RationalQuaternion>& list) {
   return true;
 }
 
-// Draws towards one direction until all are less than a right angle apart.
+// Moves the list towards one direction until all are less than a right angle apart.
 void draw_together(std::vector<RationalQuaternion>& list) {
   const RationalQuaternion middle = identity_quaternion<Rational>();
   while (!are_positive(list))

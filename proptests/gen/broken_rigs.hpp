@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rigs with one thing wrong each, and what their refusal has to say.
+// Lists rigs with one thing wrong each, and what their refusal has to say.
 #pragma once
 
 #include <functional>

@@ -4,7 +4,7 @@
 namespace proptests::gen {
 namespace {
 
-// 0 in a tenth of the cases.
+// Draws a radius, which is 0 in a tenth of the cases.
 rc::Gen<Rational> radius() {
   return rc::gen::weightedOneOf<Rational>({{1, rc::gen::just(Rational(0))}, {9, positive_rational()}});
 }
@@ -24,7 +24,8 @@ template <int D>
 rc::Gen<CapPoint<D>> cap_point() {
   return rc::gen::apply(
       [](const RationalVec<D>& center, const RationalVec<D>& u, RationalVec<D> y, const Rational& r, const CapAngle& angle) {
-        // Outside of the cap: mirrored at the plane through the center, and if that does not help, the apex.
+        // A point outside of the cap is mirrored at the plane through the center, and if that does not help, replaced by the
+        // apex.
         Rational along = refitlab::dot(u, y);
         if (along < angle.cosine) y -= u * (Rational(2) * along), along = -along;
         if (along < angle.cosine) y = u;

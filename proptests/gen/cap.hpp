@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rational caps in R^d: any center, radius 0 and angles 0, pi/2, pi at a good share; with points of the cap and of its
-// rim.
+// Draws rational caps in R^d, with any center, often with radius 0 or with an angle of 0, pi/2 or pi, and with points of the cap
+// and of its rim.
 #pragma once
 
 #include "proptests/gen/cap_angle.hpp"
@@ -8,17 +8,18 @@
 
 namespace proptests::gen {
 
-// A cap, and what is needed for a point of its rim without roots. d >= 2.
+// Holds a cap, and what is needed for a point of its rim without roots. d >= 2.
 template <int D>
 struct RimmedCap {
   refitlab::Cap<Rational, D> cap;
-  Rational sine;                 // of the cap's angle
-  RationalVec<D> rim_direction;  // perpendicular to apex - center and as long
+  Rational sine;  // of the cap's angle
+  // It is perpendicular to apex - center and as long.
+  RationalVec<D> rim_direction;
 };
 template <int D>
 rc::Gen<RimmedCap<D>> rimmed_cap();
 
-// A cap and a point of it. d >= 1. The point is often the apex.
+// Holds a cap and a point of it, which is often the apex. d >= 1.
 template <int D>
 struct CapPoint {
   refitlab::Cap<Rational, D> cap;

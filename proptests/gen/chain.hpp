@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chains of joints that move within bounds, at a moment, exactly.
+// Draws chains of joints that move within bounds, at a moment, exactly.
 #pragma once
 
 #include "lemmas/c4_chain_motion.hpp"
@@ -10,12 +10,12 @@
 
 namespace proptests::gen {
 
-// No more than the root, and close.
+// Returns a number that is no more than the root, and close.
 inline Rational lower_root(const Rational& x) {
   return x == 0 ? Rational(0) : Rational(Rational(1) / upper_root(Rational(Rational(1) / x)));
 }
 
-// A rotation that turns by the rational parameter of the circle, and its bounds: 2 atan(t) has the speed 2 and bends by 4.
+// Draws a rotation that turns by the rational parameter of the circle, and its bounds: 2 atan(t) has the speed 2 and bends by 4.
 struct RationalTurn {
   RationalQuaternion start = *gen::unit_quaternion();
   RationalVec<3> axis = gen::unit_direction();
@@ -28,7 +28,7 @@ struct RationalTurn {
   RationalMotion motion() const { return {Rational(1), Rational(2) * rate, Rational(4) * rate * rate}; }
 };
 
-// A quaternion that turns at a rational speed, and the bounds that it reaches: of a slerp, or bent as well.
+// Holds a quaternion that turns at a rational speed, and the bounds that it reaches: of a slerp, or bent as well.
 struct TurningQuaternion {
   refitlab::Moment<Rational, 4> moment;
   RationalMotion motion;
@@ -66,7 +66,7 @@ struct MovingChain {
   }
 };
 
-// The same by matrices of jets, from the first link to the last, and then applied to the point.
+// Returns the same by matrices of jets, from the first link to the last, which are then applied to the point.
 inline refitlab::Moment<Rational, 3> chain_by_jets(const MovingChain& chain) {
   using Jet = oracle::Jet<Rational>;
   oracle::Affine<Jet> all{};

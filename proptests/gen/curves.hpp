@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curves with bounds: cubics by what they are at their ends, and moments of anything that moves within bounds.
+// Draws curves with bounds: cubics by what they are at their ends, and moments of anything that moves within bounds.
 #pragma once
 
 #include "lemmas/c1_chord_bound.hpp"
@@ -9,10 +9,10 @@ namespace proptests::gen {
 
 using RationalMotion = refitlab::Motion<Rational>;
 
-// A vector of R^3 of the length 1.
+// Draws a vector of R^3 of the length 1.
 inline RationalVec<3> unit_direction() { return refitlab::rotate<Rational>(*unit_quaternion(), RationalVec<3>(1, 0, 0)); }
 
-// The cubic with these ends and these second derivatives there.
+// Returns the cubic with these ends and these second derivatives there.
 inline refitlab::CubicCurve<Rational, 3> cubic_between(const RationalVec<3>& from, const RationalVec<3>& to,
                                                        const RationalVec<3>& start, const RationalVec<3>& end,
                                                        const Rational& duration) {
@@ -29,7 +29,7 @@ struct BoundedCurve {
   bool is_parabola, is_line;
 };
 
-// Its bound is reached at one end or at both.
+// Draws a curve whose bound is reached at one end or at both.
 inline BoundedCurve bounded_curve() {
   BoundedCurve out;
   out.acceleration = *rational();
@@ -44,13 +44,14 @@ inline BoundedCurve bounded_curve() {
   return out;
 }
 
-// A moment that is within the bounds, at them at a good share. What it is of has D dimensions.
+// Draws a moment that is within the bounds, and often at them. Its value has D dimensions.
 template <int D>
 refitlab::Moment<Rational, D> moment_within(const RationalMotion& m) {
   const auto part = [](const Rational& length) {
     RationalVec<D> v = *rational_vector<D>();
     const Rational squared = refitlab::squared_norm<Rational, D>(v);
-    if (*rc::gen::inRange(0, 2) == 0 || squared == 0) {  // along an axis, of just this length
+    // It is along an axis, of exactly this length.
+    if (*rc::gen::inRange(0, 2) == 0 || squared == 0) {
       v = RationalVec<D>::Zero();
       v[*rc::gen::inRange(0, D)] = length;
       return v;
@@ -68,11 +69,11 @@ inline RationalMotion any_motion() {
   return {length(), length(), length()};
 }
 
-// A quaternion of length 1 that turns with the given first and second derivatives along its sphere: the moment of a slerp
-// where bend is none.
+// Returns a quaternion of length 1 that turns with the given first and second derivatives along its sphere: the moment of a slerp
+// if bend is 0.
 inline refitlab::Moment<Rational, 4> turning_moment(const RationalQuaternion& q, const RationalVec<3>& spin,
                                                     const RationalVec<3>& bend) {
-  // q' = u q and q'' = (u u + b) q, for pure u and b.
+  // For pure u and b, q' = u q and q'' = (u u + b) q.
   const auto pure = [](const RationalVec<3>& x) { return RationalQuaternion(Rational(0), x[0], x[1], x[2]); };
   const RationalQuaternion u = pure(spin), rate = refitlab::multiply<Rational>(u, u) + pure(bend);
   return {q, refitlab::multiply<Rational>(u, q), refitlab::multiply<Rational>(rate, q)};

@@ -69,7 +69,8 @@ void add_targets(SkinnedMesh& mesh, std::mt19937& random) {
     const double size = std::array{0., 0.01, 0.3, 1., 10.}[static_cast<std::size_t>(below(5, random))] * extent;
     const int every = 1 + below(3, random);
     const Point3 common = direction(random) * size;
-    const bool is_common = below(3, random) == 0;  // all vertices go the same way
+    // All vertices move in the same direction.
+    const bool is_common = below(3, random) == 0;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
       if (below(every, random) == 0)
         mesh.targets.of_vertex[v].push_back({t, clamped(is_common ? common : Point3(direction(random) * size))});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A property over spaces of several dimensions: one of R^low ... R^high is drawn for each case.
+// Runs a property over spaces of several dimensions: one of R^low ... R^high is drawn for each case.
 #pragma once
 
 #include <rapidcheck.h>

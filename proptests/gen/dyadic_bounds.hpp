@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Weight bounds that are multiples of 2^-24, as models have them: exact in double and as rationals.
+// Draws weight bounds that are multiples of 2^-24, as models have them: they are exact in double and as rationals.
 #pragma once
 
 #include <rapidcheck.h>
@@ -21,12 +21,12 @@ struct DyadicBounds {
     for (const int x : high) out.high.push_back(S(static_cast<double>(x)) / S(static_cast<double>(1 << 24)));
     return out;
   }
-  // A weight that is fixed, no weights at all, or weights at the very end of the box.
+  // Says whether a weight is fixed, there are no weights at all, or weights are only at the very end of the box.
   bool is_degenerate() const;
 };
 
-// Boxes of 1 to most weights that mostly let some through; a third of them have fixed weights, a fifth touch the plane of
-// sum 1 in one point only, some miss it.
+// Draws boxes of 1 to most weights that mostly let some through. A third of them have fixed weights, a fifth touch the plane of
+// sum 1 in one point only, and some miss it.
 rc::Gen<DyadicBounds> dyadic_bounds(int most);
 
 void showValue(const DyadicBounds& bounds, std::ostream& out);

@@ -15,7 +15,7 @@ namespace {
 
 SkinnedMesh tube(int joints) { return make_mesh({MeshKind::tube, 6, 4, joints, 5}); }
 
-// A strip of so many vertices; weights_of gives vertex v its joints and weights.
+// Makes a strip of so many vertices. weights_of gives vertex v its joints and weights.
 template <class Position, class WeightsOf>
 SkinnedMesh strip(int vertices, int joints, const Position& position, const WeightsOf& weights_of) {
   SkinnedMesh m{.name = "strip", .vertices = {}, .triangles = {}, .joints = {}, .influences = {}};

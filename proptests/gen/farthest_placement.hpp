@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placements so far away that sums and differences of their coordinates overflow.
+// Draws placements so far away that sums and differences of their coordinates overflow.
 #pragma once
 
 #include <cmath>

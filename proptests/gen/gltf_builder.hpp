@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A glTF file being made: its description, and the one buffer that its accessors point into.
+// Builds a glTF file: its description, and the one buffer that its accessors point into.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,14 +8,14 @@
 
 namespace proptests::gen {
 
-// Component types of accessors.
+// These are the component types of accessors.
 enum : int { gltf_byte = 5120, gltf_ubyte = 5121, gltf_short = 5122, gltf_ushort = 5123, gltf_uint = 5125, gltf_float = 5126 };
 
 class GltfBuilder {
  public:
   GltfBuilder();
 
-  // Both return the index of what they add. type: such as "VEC3"; Row: its numbers, one behind the other.
+  // Both return the index of what they add. type is a name such as "VEC3", and Row holds its numbers, one behind the other.
   std::size_t add_view(const void* data, std::size_t length);
   template <class Row>
   std::size_t add_accessor(const std::vector<Row>& rows, const char* type, int component) {

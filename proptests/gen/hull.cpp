@@ -4,7 +4,7 @@
 namespace proptests::gen {
 namespace {
 
-// Weights for as many vectors as there are.
+// Draws weights for as many vectors as there are.
 template <class T>
 rc::Gen<std::pair<std::vector<T>, std::vector<Rational>>> weighted(rc::Gen<std::vector<T>> list) {
   return rc::gen::mapcat(std::move(list), [](const std::vector<T>& values) {
@@ -40,7 +40,8 @@ rc::Gen<EnclosedHull<D>> enclosed_hull() {
   return rc::gen::apply(
       [](const std::pair<std::vector<RationalVec<D>>, std::vector<Rational>>& units, RationalVec<D> center, const Rational& more,
          int kind) {
-        if (kind < 3) {  // the mean ball of Algorithm 1
+        // This is the mean ball of Algorithm 1.
+        if (kind < 3) {
           center = RationalVec<D>::Zero();
           for (const auto& n : units.first) center += n;
           center /= Rational(static_cast<int>(units.first.size()));

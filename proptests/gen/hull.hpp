@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rational convex hulls of R^d with an element of each: scaled unit vectors (Lemma 2), unit vectors in a ball (Lemma
-// 4).
+// Draws rational convex hulls of R^d with an element of each: scaled unit vectors (Lemma 2), unit vectors in a ball (Lemma 4).
 #pragma once
 
 #include "lemmas/vocabulary/squared_ball.hpp"
@@ -9,7 +8,7 @@
 
 namespace proptests::gen {
 
-// One to four vectors with their rational lengths, and convex weights. The blend is 0 in about a tenth of the cases.
+// Holds one to four vectors with their rational lengths, and convex weights. The blend is 0 in about a tenth of the cases.
 template <int D>
 struct ScaledHull {
   std::vector<RationalVec<D>> vectors;
@@ -18,7 +17,7 @@ struct ScaledHull {
 template <int D>
 rc::Gen<ScaledHull<D>> scaled_hull();
 
-// One to four unit vectors, convex weights, and a ball that holds the vectors: about their mean, or about any point; as
+// Holds one to four unit vectors, convex weights, and a ball that holds the vectors: about their mean, or about any point; as
 // small as it can be, or larger.
 template <int D>
 struct EnclosedHull {

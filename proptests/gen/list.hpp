@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lists of a generated length, of which a third repeat one of their elements: repeated points are a degenerate case.
+// Draws lists of a generated length, of which a third repeat one of their elements: repeated points are a degenerate case.
 #pragma once
 
 #include <rapidcheck.h>
@@ -8,7 +8,7 @@
 
 namespace proptests::gen {
 
-// Between low and high elements (low >= 1); shrinks towards fewer and simpler ones.
+// Draws between low and high elements (low >= 1); shrinks towards fewer and simpler ones.
 template <class T>
 rc::Gen<std::vector<T>> list_with_repeats(int low, int high, rc::Gen<T> element) {
   const auto fresh = rc::gen::mapcat(rc::gen::inRange(low, high + 1),

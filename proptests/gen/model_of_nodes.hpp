@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A model without vertices, of which every node is a joint of its own frame.
+// Makes a model without vertices, of which every node is a joint of its own frame.
 #pragma once
 
 #include <string>

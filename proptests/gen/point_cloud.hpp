@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clouds of points in the positions that are hard for balls: repeated, on a line, in a plane, on a sphere, on a grid.
+// Draws clouds of points in positions that are hard for balls: repeated, on a line, in a plane, on a sphere, on a grid.
 #pragma once
 
 #include <random>
@@ -11,7 +11,7 @@ namespace proptests::gen {
 enum class Shape { general, repeated, line, plane, sphere, grid, one_point };
 inline constexpr int shape_count = 7;
 
-// What is special: everything but general positions.
+// Says whether a shape is special: all but general positions are.
 inline bool is_degenerate(Shape shape) { return shape != Shape::general; }
 
 template <int D>
@@ -20,11 +20,12 @@ struct Cloud {
   std::vector<RationalVec<D>> points;
 };
 
-// 1 to most points for D = 2, 3, 4. Half of them are in general position, the other shapes are equally frequent; shrinks towards fewer and simpler points.
+// Draws 1 to most points for D = 2, 3, 4. Half of the clouds are in general position, and the other shapes are equally frequent;
+// shrinks towards fewer and simpler points.
 template <int D>
 rc::Gen<Cloud<D>> cloud(int most);
 
-// The same shapes in double for long runs, n points: rounding makes nearly spherical, nearly flat and nearly equal points
+// Draws n points of the same shapes in double for long runs: rounding makes nearly spherical, nearly flat and nearly equal points
 // of them. The offset moves the cloud away from the origin.
 template <int D>
 std::vector<refitlab::Vec<double, D>> rounded_cloud(std::mt19937_64& random, Shape shape, int n, double offset);

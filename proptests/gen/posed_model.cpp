@@ -12,14 +12,16 @@ namespace {
 using namespace refitlab;
 
 struct JointPlan {
-  int up;  // the parent is this many joints back (beyond the root: the one before)
+  // The parent is this many joints back (beyond the root, it is the one before).
+  int up;
   RationalVec<3> origin;
   RationalQuaternion turn;
 };
 
 struct VertexPlan {
   RationalVec<3> position;
-  std::vector<std::pair<int, int>> parts;  // (joint, share of the weight), taken modulo the number of joints
+  // A part is a joint and a share of the weight; joints are taken modulo their number.
+  std::vector<std::pair<int, int>> parts;
 };
 
 template <class T>

@@ -61,8 +61,8 @@ class Maker {
     return static_cast<int>(scene_.nodes.size()) - 1;
   }
 
-  // The same joints, bound in another frame: every matrix by one rigid transform from the right, the last one perhaps
-  // not.
+  // Returns the same joints, bound in another frame: every matrix is multiplied by one rigid transform from the right, but
+  // perhaps not the last one.
   GltfSkin moved(GltfSkin skin) {
     const Eigen::Isometry3f frame = rigid();
     for (std::size_t j = 0; j < binds_.size(); ++j) skin.inverse_bind[j] = columns(binds_[j] * frame);

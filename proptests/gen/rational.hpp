@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rational numbers of a few digits, that shrink towards 0, then towards integers of either sign.
+// Draws rational numbers of a few digits, which shrink towards 0, then towards integers of either sign.
 #pragma once
 
 #include <rapidcheck.h>
@@ -11,18 +11,18 @@ namespace proptests::gen {
 
 using refitlab::Rational;
 
-// An integer of [-3, 3] at size 0 up to [-28, 28] at size 100. Shrinks towards 0, a negative one also to its opposite.
+// Draws an integer of [-3, 3] at size 0 up to [-28, 28] at size 100. Shrinks towards 0, a negative one also to its opposite.
 rc::Gen<int> small_integer();
-// The same without 0 and without the sign; shrinks towards 1.
+// Draws the same without 0 and without the sign; shrinks towards 1.
 rc::Gen<int> small_positive_integer();
 
-// Any rational with a small numerator and denominator: one in four is an integer, one in ten is 0.
+// Draws any rational with a small numerator and denominator: one in four is an integer, one in ten is 0.
 rc::Gen<Rational> rational();
 rc::Gen<Rational> positive_rational();
-// In [0, 1], with both ends at a good share.
+// Draws a rational in [0, 1], which is often one of the ends.
 rc::Gen<Rational> unit_interval_rational();
 
-// 0, or down to 1/10^80 of either sign: enough to leave a tie for one that only long numbers can tell from it.
+// Draws 0, or a number down to 1/10^80 of either sign: enough to leave a tie for one that only long numbers can tell from it.
 rc::Gen<Rational> nudge();
 
 }  // namespace proptests::gen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The real models that experiments/fetch_models has left in out/models of the working directory: none, some or all.
+// Visits the real models that experiments/fetch_models has left in out/models of the working directory: none, some or all.
 #pragma once
 
 #include <filesystem>

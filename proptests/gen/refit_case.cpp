@@ -15,7 +15,7 @@ namespace {
 using namespace refitlab;
 using Transforms = std::vector<RationalTransform>;
 
-// A rotation by at most about 50 degrees: (k, a, b, c)^2, normalised, with k well above the rest.
+// Draws a rotation by at most about 50 degrees: (k, a, b, c)^2, normalised, with k well above the rest.
 rc::Gen<RationalQuaternion> small_turn() {
   return rc::gen::apply(
       [](int a, int b, int c, int extra) {
@@ -31,14 +31,15 @@ RationalQuaternion half_turn(int axis) {
   return q;
 }
 
-// Relations between the rotations of a joint-set that chance would not bring about.
+// Draws transforms with relations between the rotations of a joint-set that chance would not bring about.
 Transforms any_transforms() {
   Transforms c = *rigid_transforms(1, 5);
   const int n = static_cast<int>(c.size());
   const int relation = *rc::gen::inRange(0, 8);
   if (relation == 4 && n > 1) c[1].rotation = -c[0].rotation;
   if (relation >= 5 && n > 1) c[1].rotation = multiply(c[0].rotation, half_turn(*rc::gen::inRange(0, 3)));
-  if (relation >= 6 && n > 2) c[2].rotation = -c[1].rotation;  // perpendicular to the first, so signs stay: a zero blend
+  // The two are perpendicular to the first, so signs stay: they make a zero blend.
+  if (relation >= 6 && n > 2) c[2].rotation = -c[1].rotation;
   return c;
 }
 
@@ -60,10 +61,10 @@ Transforms moderate_transforms() {
                             });
 }
 
-// Of the whole range, at any size of RapidCheck's.
+// Draws from the whole range, at any size of RapidCheck's.
 rc::Gen<int> any_of(int low, int high) { return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1)); }
 
-// Several joints, no two of them turned alike or by 180 degrees against each other.
+// Draws several joints, no two of which are turned alike or by 180 degrees against each other.
 Transforms generic_transforms(Turns turns) {
   const RationalQuaternion first = *unit_quaternion();
   const auto rotation = turns == Turns::any ? unit_quaternion() : rc::gen::map(small_turn(), [first](const auto& turn) {
@@ -90,7 +91,7 @@ bool may_be_zero(const SetCase& set) {
   return false;
 }
 
-// What a generator is given lives as long as RapidCheck may shrink, so it is captured by value.
+// Draws a generic joint-set. What a generator is given lives as long as RapidCheck may shrink, so it is captured by value.
 SetCase generic_set(Turns turns, const RationalVec<3>& p) {
   SetCase set;
   set.palette.transforms = generic_transforms(turns);
@@ -117,7 +118,8 @@ SetCase set_case(Turns turns, const RationalVec<3>& p) {
   RationalVec<3> center = p;
   const int place = *rc::gen::inRange(0, 4);
   if (place < 3) center = *rational_vector<3>();
-  if (place == 2)  // a common joint: all transforms agree there
+  // This is a common joint, where all transforms agree.
+  if (place == 2)
     for (auto& other : c) other.translation = apply(c[0], center) - rotate(other.rotation, center);
   place_rotation_center<Rational>(set.palette, center);
   place_duals(set.palette);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Refits in exact rationals: a reference ball, and joint-sets in a pose with weight bounds, made to be awkward.
+// Draws refits in exact rationals: a reference ball, and joint-sets in a pose with weight bounds, made to be awkward.
 #pragma once
 
 #include "algorithms/runtime/tree/refit_node.hpp"
@@ -20,26 +20,28 @@ struct RefitCase {
 };
 
 enum class Turns {
-  any,      // also equal and antipodal quaternions, half-turns, blends that vanish, signs of either kind
-  moderate  // any two joints of a set differ by at most 90 degrees, with consistent signs
+  // There are also equal and antipodal quaternions, half-turns, blends that vanish, and signs of either kind.
+  any,
+  // Any two joints of a set differ by at most 90 degrees, with consistent signs.
+  moderate
 };
 
-// 1 to 3 joint-sets of 1 to 5 joints, weight bounds from one to four vertices, a rotation center anywhere, at p or at a
-// common joint, r = 0 in a quarter of the cases; all of this in about a third of them. The others are generic: none of the
-// degeneracies below, 1 or 2 joint-sets of 2 to 4 joints.
+// Draws 1 to 3 joint-sets of 1 to 5 joints, weight bounds from one to four vertices, a rotation center anywhere, at p or at a
+// common joint, and r = 0 in a quarter of the cases; all of this in about a third of them. The others are generic: none of the
+// degeneracies below, and 1 or 2 joint-sets of 2 to 4 joints.
 rc::Gen<RefitCase> refit_case(Turns turns);
 
-// How a case is degenerate, a word each; empty if it is not.
+// Returns how a case is degenerate, a word each; nothing if it is not.
 std::vector<std::string> degeneracies(const RefitCase& c);
 
-// The same case in doubles, and those taken as exact numbers: what a program in double is given. The rotations are of
-// unit length only nearly, the images of the rotation centers and the dual parts are those that double computes, the
+// Returns the same case in doubles, which are then taken as exact numbers, as a program in double is given them. The rotations
+// are of unit length only nearly, the images of the rotation centers and the dual parts are those that double computes, and the
 // weights are multiples of 2^-24 with all their weight vertices.
 RefitCase rounded_to_double(const RefitCase& c);
 
 void showValue(const RefitCase& c, std::ostream& out);
 
-// A case over the number type T as the refit's input, with its storage.
+// Holds a case over the number type T as the refit's input, with its storage.
 template <class T>
 class NodeOf {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether an action throws an error of this kind.
+// Says whether an action throws an error of this kind.
 #pragma once
 
 namespace proptests::gen {

@@ -27,7 +27,7 @@ enum : int {
 };
 
 const double half = std::sqrt(0.5);
-// A spline of rotations: tangent in, value and tangent out, x y z w. Its keys are off unit length, as bytes would be.
+// This is a spline of rotations: tangent in, value and tangent out, x y z w. Its keys are off unit length, as bytes would be.
 const std::vector<std::array<float, 4>> bone_turn = {{0, 0, 0, 0},         {0, 0, 0, 0.996f},    {0.5f, 0.25f, 0, 0.125f},
                                                      {0, -0.25f, 0.5f, 0}, {0.6f, 0, 0, 0.805f}, {0, 0, 0, 0}};
 const std::vector<double> default_weights = {0.5, 0.25}, last_weights = {1, -0.5};
@@ -85,7 +85,8 @@ RichGltf::RichGltf(bool uneven, bool moving, bool turning) : uneven_(uneven), mo
   add_fan();
   add_loose();
   add_clip();
-  RichPrimitive other = primitives_[0];  // the body's two once more, by another node
+  // These are the body's two once more, by another node.
+  RichPrimitive other = primitives_[0];
   for (int p = 0; p < 2; ++p) {
     other = primitives_[p];
     other.node = again_node;
@@ -96,7 +97,8 @@ RichGltf::RichGltf(bool uneven, bool moving, bool turning) : uneven_(uneven), mo
 void RichGltf::add_nodes() {
   file.json["extensionsUsed"] = file.json["extensionsRequired"] = {"KHR_mesh_quantization"};
   file.json["scenes"] = {{{"nodes", {tip_node}}}, {{"nodes", {root_node}}}};
-  file.json["scenes"][0]["nodes"] = json::array();  // not the default one
+  // This scene is not the default one.
+  file.json["scenes"][0]["nodes"] = json::array();
   file.json["scene"] = 1;
   const auto add = [&](const char* name, const json& more) {
     json node = more;
@@ -153,7 +155,7 @@ Matrix4d RichGltf::global(int node, double time) const {
 
 void RichGltf::add_skins() {
   joints_ = {{second_bone_node, bone_node, tip_node}, {tip_node, second_bone_node}};
-  // From each mesh's frame to the world as it rests.
+  // These lead from each mesh's frame to the world as it rests.
   const Matrix4d frames[] = {transform({1, 0, 0}, about({0, 0, 1}, 30), 4 * Vector3d::Ones()),
                              transform({0, 2, 0}, about({1, 0, 0}, 45), 40 * Vector3d::Ones())};
   for (int s = 0; s < 2; ++s) {
@@ -201,7 +203,7 @@ void RichGltf::add_body() {
   }
   const auto positions = ring(6, 0.2);
   RichPrimitive p{body_node, 0, 1, 0, {}, as_read(positions), {}, {}};
-  // As a strip: every other triangle is turned around.
+  // The triangles make a strip: every other triangle is turned around.
   p.triangles = {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 5, 4}};
   const std::vector<std::array<std::uint16_t, 4>> first(6, {0, 1, 2, 0}), second(6, {1, 2, 0, 0});
   const std::vector<std::array<float, 4>> first_weights(6, {0.25f, 0.25f, 0.125f, 0.125f}),
@@ -245,7 +247,7 @@ void RichGltf::add_fan() {
 }
 
 void RichGltf::add_loose() {
-  // Three of four shorts a row; the smallest one stands for -1 too.
+  // Three of four shorts are in a row, and the smallest one stands for -1 too.
   const std::vector<std::array<std::int16_t, 4>> rows = {{32767, 0, 0, 5}, {0, -32767, 0, 5}, {0, 0, -32768, 5}};
   const std::size_t accessor = add_normalized(file, file.add_accessor(rows, "VEC3", gltf_short));
   file.json["bufferViews"][std::size_t(file.json["accessors"][accessor]["bufferView"])]["byteStride"] = 8;

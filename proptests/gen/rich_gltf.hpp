@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A glTF file that has at once whatever of the format matters to geometry, and where its vertices go, by its own formulas.
+// Makes a glTF file that has at once whatever of the format matters to geometry, and says where its vertices are, by its own
+// formulas.
 //
-// Two skins in different frames, whose joints are in an order of their own and have nodes between them; a root that scales and
-// turns; two nodes of one name; a node with a matrix; a mesh of two primitives (triangles and a strip without indices) with two
-// morph targets, one of them sparse, shown by two nodes; a fan of sparse positions; quantised and normalised positions; weights
-// as normalised bytes, shorts, and floats in two sets; linear, step and cubic channels, of normalised integers too.
+// It has two skins in different frames, whose joints are in an order of their own and have nodes between them; a root that scales
+// and turns; two nodes of one name; a node with a matrix; a mesh of two primitives (triangles and a strip without indices) with
+// two morph targets, one of them sparse, shown by two nodes; a fan of sparse positions; quantised and normalised positions;
+// weights as normalised bytes, shorts, and floats in two sets; linear, step and cubic channels, of normalised integers too.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,15 +26,17 @@ struct RichPrimitive {
 
 class RichGltf {
  public:
-  // uneven: the joint "tip" scales by another factor along one axis, as its clip says. moving: the morph weights move. turning: a
-  // joint turns along a spline, whose quaternions are off unit length.
+  // uneven makes the joint "tip" scale by another factor along one axis, as its clip says. moving makes the morph weights move.
+  // turning makes a joint turn along a spline, whose quaternions are off unit length.
   RichGltf(bool uneven, bool moving, bool turning = true);
 
-  // In the order in which the scene shows them; a mesh that a second node shows with the same skin is there once for each.
+  // Returns the primitives in the order in which the scene shows them. A mesh that a second node shows with the same skin is
+  // there once for each.
   const std::vector<RichPrimitive>& primitives() const { return primitives_; }
-  // The vertices of a primitive in the world at a time of the clip "move" in [0, 2].
+  // Returns the vertices of a primitive in the world at a time of the clip "move" in [0, 2].
   std::vector<Eigen::Vector3d> posed(const RichPrimitive& primitive, double time) const;
-  // From the frame of a node of the file to the world, at a time of that clip. Nodes are not in the order in which the scene has them.
+  // Returns the transform from the frame of a node of the file to the world, at a time of that clip. Nodes are not in the order
+  // in which the scene has them.
   Eigen::Matrix4d global(int node, double time) const;
 
   GltfBuilder file;

@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-// An accessor over plain numbers that come `width` at a time.
+// Adds an accessor over plain numbers that come `width` at a time.
 std::size_t add_numbers(GltfBuilder& out, const std::vector<float>& values, int width) {
   const char* const type = width == 4 ? "VEC4" : width == 3 ? "VEC3" : "SCALAR";
   const std::size_t index = out.add_accessor(values, type, gltf_float);

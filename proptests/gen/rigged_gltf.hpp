@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small rigged glTF files, right ones and broken ones: a description that is written out byte by byte, without checks.
+// Describes small rigged glTF files, right ones and broken ones: a description is written out byte by byte, without checks.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct GltfNode {
   int mesh = -1, skin = -1;
 };
 
-// Influences in sets of four, JOINTS_n and WEIGHTS_n; no sets for a mesh without a skin.
+// Holds influences in sets of four, JOINTS_n and WEIGHTS_n; there are no sets for a mesh without a skin.
 struct GltfMesh {
   std::vector<std::array<float, 3>> positions;
   std::vector<std::uint32_t> indices;
@@ -52,18 +52,18 @@ struct RiggedGltf {
   std::vector<GltfClip> clips;
 };
 
-// A square tube of `joints` segments along +y, a unit each, whose nodes "j0", "j1", ... hang below each other. Rings of
-// four vertices every half unit; at a joint the two bones share a ring. Clip "bend": every joint turns about its own z
-// by up to 0.6 radian at 1 s, the first one moves. The node "skin" carries the mesh; the last node.
+// Makes a square tube of `joints` segments along +y, a unit each, whose nodes "j0", "j1", ... hang below each other. There are
+// rings of four vertices every half unit; at a joint the two bones share a ring. In the clip "bend" every joint turns about its
+// own z by up to 0.6 radian at 1 s, and the first one moves. The last node, "skin", carries the mesh.
 RiggedGltf bending_tube(int joints);
 
 std::array<float, 16> translation_matrix(float x, float y, float z);
 
 GltfBuilder built(const RiggedGltf& scene);
 
-// As one binary file; throws std::runtime_error where it cannot be written.
+// Writes one binary file; throws std::runtime_error where it cannot be written.
 void write_glb(const RiggedGltf& scene, const std::string& path);
-// The same as a JSON text file with its bytes in a data URI.
+// Writes the same as a JSON text file with its bytes in a data URI.
 void write_gltf(const RiggedGltf& scene, const std::string& path);
 
 }  // namespace proptests::gen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the values of a counterexample are printed: 3, -7/25, (3/5, 4/5).
+// Prints the values of a counterexample: 3, -7/25, (3/5, 4/5).
 //
 // RapidCheck finds showValue by argument-dependent lookup, so each overload stands in its type's own namespace.
 #pragma once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small skinned meshes for trees: a tube of one to four joints with random weights, and what is awkward about meshes.
+// Draws small skinned meshes for trees: a tube of one to four joints with random weights, and what is awkward about meshes.
 #pragma once
 
 #include <rapidcheck.h>
@@ -13,14 +13,15 @@ inline constexpr int mesh_kind_count = 6;
 
 struct MeshPlan {
   MeshKind kind;
-  int rings, sides, joints;  // 2 (rings - 1) sides triangles, but for one_triangle
-  unsigned seed;             // of positions and weights
+  // There are 2 (rings - 1) sides triangles, but for one_triangle.
+  int rings, sides, joints;
+  unsigned seed;  // of positions and weights
 };
 
-// Up to 12 rings of up to 8 vertices; more than half are plain tubes.
+// Draws up to 12 rings of up to 8 vertices; more than half are plain tubes.
 rc::Gen<MeshPlan> mesh_plan();
 
-// A valid model without clips. With many_influences the weights spread over eight joints, more than can be enumerated.
+// Makes a valid model without clips. With many_influences the weights spread over eight joints, more than can be enumerated.
 refitlab::SkinnedMesh make_mesh(const MeshPlan& plan);
 
 inline bool is_degenerate(const MeshPlan& plan) { return plan.kind != MeshKind::tube; }

@@ -16,7 +16,7 @@ Vec<double, D> normal(std::mt19937& random, double size) {
   return out;
 }
 
-// Of unit length but for rounding, off by the tolerance of poses, as floats, or of any length.
+// Returns a quaternion of unit length but for rounding, off by the tolerance of poses, rounded to floats, or of any length.
 Quaternion<double> with_some_length(Quaternion<double> q, int kind, std::mt19937& random) {
   q /= std::sqrt(squared_norm(q));
   if (kind == 1) q *= std::uniform_int_distribution<int>(0, 1)(random) ? 1 + 5e-7 : 1 - 5e-7;
@@ -25,7 +25,7 @@ Quaternion<double> with_some_length(Quaternion<double> q, int kind, std::mt19937
   return q;
 }
 
-// 64 parts, spread over some of n.
+// Draws weights of 64 parts, spread over some of n.
 std::vector<double> some_weights(std::mt19937& random, std::size_t n) {
   std::vector<double> w(n);
   if (random() % 3 == 0) {

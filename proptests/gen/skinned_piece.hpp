@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One piece of a node in doubles, drawn from all that a certificate can be about: joints off unit length, any signs, poses
-// whose weight vertices have no axis that they are all ahead of, one weight vertex or many.
+// Draws one piece of a node in doubles, from all that a certificate can be about: joints off unit length, any signs, poses whose
+// weight vertices have no axis that they are all ahead of, one weight vertex or many.
 #pragma once
 
 #include <random>
@@ -13,7 +13,7 @@ namespace proptests::gen {
 class SkinnedPiece {
  public:
   SkinnedPiece(std::mt19937& random, refitlab::Skinning skinning, int most_weight_vertices);
-  // One of given joints.
+  // Makes a piece of given joints.
   SkinnedPiece(refitlab::Skinning skinning, refitlab::OwnedPaletteEntry<double> palette,
                std::vector<std::vector<double>> weight_vertices, const refitlab::Ball3<double>& reference);
 
@@ -23,7 +23,8 @@ class SkinnedPiece {
   refitlab::OwnedPaletteEntry<double> palette;
   std::vector<std::vector<double>> weight_vertices;  // multiples of 1/64 whose sum is 1
   refitlab::Ball3<double> reference;
-  bool has_relation = false;  // two joints are exactly opposite or a half-turn apart: blends of length 0, edges equally wide
+  // Two joints are exactly opposite or a half-turn apart: there are blends of length 0, and edges that are equally wide.
+  bool has_relation = false;
 
  private:
   void store();

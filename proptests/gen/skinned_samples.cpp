@@ -9,15 +9,16 @@ namespace {
 
 using namespace refitlab;
 
-// The nearest multiple of 2^-12: enough to aim with, and short.
+// Returns the nearest multiple of 2^-12, which is near enough to aim with, and short.
 Rational coarse(double x) { return Rational(std::ldexp(std::round(std::ldexp(x, 12)), -12)); }
 
-// A rational unit vector near a direction.
+// Returns a rational unit vector near a direction.
 RationalVec<3> unit_near(const Point3& direction) {
   const double length = direction.norm();
   if (!(length > 1e-12 && length < 1e12)) return {1, 0, 0};
   const Point3 d = direction / length;
-  const double sign = d[0] < 0 ? -1 : 1;  // project from the pole that is farther away
+  // The projection is from the pole that is farther away.
+  const double sign = d[0] < 0 ? -1 : 1;
   const RationalVec<3> x =
       inverse_stereographic<3>({coarse(sign * d[1] / (1 + sign * d[0])), coarse(sign * d[2] / (1 + sign * d[0]))});
   return x * Rational(sign);
@@ -37,7 +38,7 @@ OwnedPaletteEntry<double> in_double(const OwnedPaletteEntry<Rational>& palette) 
           lift<double>(palette.duals)};
 }
 
-// The ascent, in double: shares of the weight vertices are moved towards one weight vertex as long as p is carried farther.
+// Ascends, in double: it moves shares of the weight vertices towards one weight vertex as long as p is carried farther.
 class Ascent {
  public:
   Ascent(const RefitCase& c, const SetCase& set, Blending blending, const Point3& far_from)
@@ -61,7 +62,8 @@ class Ascent {
         }
     std::vector<Rational> out;
     for (const double s : shares_) out.push_back(coarse(s));
-    out[0] += Rational(1, 4096);  // so that they do not all round to 0
+    // They do not all round to 0 then.
+    out[0] += Rational(1, 4096);
     return out;
   }
 
@@ -81,7 +83,7 @@ class Ascent {
   std::vector<double> shares_;
 };
 
-// The point of the surface of S that these weights carry farthest from a point: outward, turned back.
+// Returns the point of the surface of S that these weights carry farthest from a point: outward, turned back.
 RationalVec<3> farthest_vertex(const RefitCase& c, const SetCase& set, const RationalWeights& w, Blending blending,
                                const Point3& far_from) {
   const OwnedPaletteEntry<double> palette = in_double(set.palette);

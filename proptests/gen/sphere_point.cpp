@@ -11,14 +11,16 @@ rc::Gen<RationalVec<D>> sphere_point() {
       rc::gen::map(rc::gen::container<std::vector<Rational>>(D - 1, rational()), inverse_stereographic<D>);
   return rc::gen::apply(
       [](RationalVec<D> x, bool negate, int axis) {
-        if (axis < 2 * D) {  // an axis in about a sixth of the cases
+        // About a sixth of the cases are an axis.
+        if (axis < 2 * D) {
           x = RationalVec<D>::Zero();
           x[axis / 2] = axis % 2 == 0 ? 1 : -1;
         }
         return negate ? RationalVec<D>(-x) : x;
       },
       one_hemisphere, rc::gen::arbitrary<bool>(), rc::gen::map(rc::gen::inRange(0, 12 * D), [](int i) {
-        return 12 * D - 1 - i;  // so that shrinking leads away from replacing the point
+        // Shrinking then leads away from replacing the point.
+        return 12 * D - 1 - i;
       }));
 }
 
@@ -34,7 +36,7 @@ rc::Gen<std::vector<RationalVec<D>>> sphere_points(int low, int high) {
 
 template <int D>
 rc::Gen<PerpendicularPair<D>> perpendicular_pair() {
-  // The reflection I - 2 y y^T / |y|^2 has orthonormal rational columns; two of them, either sign.
+  // The reflection I - 2 y y^T / |y|^2 has orthonormal rational columns. The pair is two of them, of either sign.
   return rc::gen::apply(
       [](const RationalVec<D>& y, int i, int step, bool negate) {
         const Rational square = refitlab::squared_norm(y);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rational points of the unit sphere's surface in R^d, by inverse stereographic projection, and rational frames.
+// Draws rational points of the unit sphere's surface in R^d, by inverse stereographic projection, and rational frames.
 #pragma once
 
 #include "proptests/gen/vector.hpp"
 
 namespace proptests::gen {
 
-// y in R^(d-1) -> ((1 - |y|^2), 2 y) / (1 + |y|^2): every rational point of the surface but (-1, 0, ..., 0).
+// Maps y in R^(d-1) to ((1 - |y|^2), 2 y) / (1 + |y|^2), which reaches every rational point of the surface but (-1, 0, ..., 0).
 template <int D>
 RationalVec<D> inverse_stereographic(const std::vector<Rational>& y) {
   Rational square(0);
@@ -17,15 +17,15 @@ RationalVec<D> inverse_stereographic(const std::vector<Rational>& y) {
   return x;
 }
 
-// The points +-e_i come up often; shrinks towards (1, 0, ..., 0).
+// Draws a point. The points +-e_i come up often; shrinks towards (1, 0, ..., 0).
 template <int D>
 rc::Gen<RationalVec<D>> sphere_point();
 
-// Between low and high points, of which some are equal, and in a fifth of the lists two are antipodal.
+// Draws between low and high points, of which some are equal. In a fifth of the lists two are antipodal.
 template <int D>
 rc::Gen<std::vector<RationalVec<D>>> sphere_points(int low, int high);
 
-// Two perpendicular unit vectors of R^d, d >= 2: an apex and a direction along the rim of its cap, say.
+// Holds two perpendicular unit vectors of R^d, d >= 2: an apex and a direction along the rim of its cap, say.
 template <int D>
 struct PerpendicularPair {
   RationalVec<D> first, second;

@@ -4,12 +4,12 @@
 namespace proptests::gen {
 namespace {
 
-// 0 in a tenth of the cases.
+// Draws a length, which is 0 in a tenth of the cases.
 rc::Gen<Rational> length() {
   return rc::gen::weightedOneOf<Rational>({{1, rc::gen::just(Rational(0))}, {9, positive_rational()}});
 }
 
-// The offset of the plane as a share of the radius: a cosine, anything, or nothing to mean "through the point".
+// Draws the offset of the plane as a share of the radius: a cosine, anything, or nothing to mean "through the point".
 rc::Gen<rc::Maybe<Rational>> relative_offset() {
   const auto some = [](const Rational& x) { return rc::Maybe<Rational>(x); };
   const auto cosine = rc::gen::map(cap_angle(), [](const CapAngle& a) { return rc::Maybe<Rational>(a.cosine); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rational sphere surfaces of R^d with a half-space, or with a ball, and a point of the surface. d >= 1.
+// Draws rational sphere surfaces of R^d with a half-space, or with a ball, and a point of the surface. d >= 1.
 //
 // The plane of the half-space and the surface of the ball often pass through the point, or touch the sphere.
 #pragma once
@@ -16,7 +16,8 @@ template <int D>
 struct SurfaceInHalfSpace {
   refitlab::SquaredBall<Rational, D> surface;
   refitlab::HalfSpace<Rational, D> half_space;
-  Rational scale;        // of the normal to the radius, where there is one; else 1
+  // This scales the normal to the radius, where there is one, and is 1 otherwise.
+  Rational scale;
   RationalVec<D> point;  // of the surface
 };
 template <int D>

@@ -7,7 +7,7 @@
 namespace proptests::gen {
 namespace {
 
-// Rows of a matrix that acts on row vectors: a shift along y. (To assimp a comma before a digit is a decimal point.)
+// Returns rows of a matrix that acts on row vectors: a shift along y. (To assimp a comma before a digit is a decimal point.)
 std::string shift(const std::string& y) { return "1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, " + y + ", 0, 1;;"; }
 
 std::string frame(const std::string& name, const std::string& y, const std::string& inside) {

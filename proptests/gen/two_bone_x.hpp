@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A small rigged file in the text form of X: a strip of two squares with a bone for each.
+// Writes a small rigged file in the text form of X: a strip of two squares with a bone for each.
 #pragma once
 
 #include <string>
 
 namespace proptests::gen {
 
-// What the text has in these places, as is.
+// Holds what the text has in these places, as is.
 struct TwoBoneX {
   std::string ticks_per_second = "7";         // empty: the file does not say
   std::string weighted = "0, 1, 2, 3, 4, 5";  // the vertices that the weights are of
@@ -15,6 +15,7 @@ struct TwoBoneX {
   std::string last_key = "14";  // of clip "wave", in ticks; the first is 0
 };
 
-void write_x(const TwoBoneX& parts, const std::string& path);  // throws std::runtime_error where it cannot be written
+// Throws std::runtime_error where it cannot be written.
+void write_x(const TwoBoneX& parts, const std::string& path);
 
 }  // namespace proptests::gen

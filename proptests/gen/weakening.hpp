@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cases that break one part of one hypothesis: the hypothesis must say so, and the conclusion must fail for a share of
+// Draws cases that break one part of one hypothesis: the hypothesis must say so, and the conclusion must fail for a share of
 // them.
 //
-// A hypothesis that lost a part is another theorem, and a wrong one. A test sees it only on cases that break just that
-// part.
+// A hypothesis that lost a part is another theorem, and a wrong one. A test sees it only on cases that break just that part.
 #pragma once
 
 #include <map>
@@ -19,12 +18,13 @@ namespace proptests {
 struct Weakening {
   std::string part;  // what is broken, in words: "the first quaternion"
   refitlab::Verdict hypothesis;
-  std::optional<refitlab::Verdict> conclusion;  // none where there is nothing to conclude, or the theorem has room to spare
+  // There is none where there is nothing to conclude, or the theorem has room to spare.
+  std::optional<refitlab::Verdict> conclusion;
 };
 
-// Draws cases that break a part each. The hypothesis must fail on all of them, and the conclusion on at least the given
-// share of those of each part, so that the theorem needs it. Of a part that came up less than 20 times nothing is
-// asked, and of a share of 0, for a predicate that no theorem comes with, nothing of any.
+// Draws cases that break a part each. The hypothesis must fail on all of them, and the conclusion on at least the given share of
+// those of each part, so that the theorem needs it. Nothing is required of a part whose conclusion was asked for less than 20
+// times, nor of any part if the share is 0, for a predicate that no theorem comes with.
 template <class Draw>
 void needs_each_part(Suite& t, const std::string& sentence, double share, const Draw& draw, int cases = 300) {
   using refitlab::Verdict;
@@ -74,19 +74,19 @@ void reaches_share(Suite& t, const std::string& sentence, double share, const Dr
 
 namespace gen {
 
-// Any of 0 ... n - 1, as often each whatever RapidCheck's size.
+// Draws any of 0 ... n - 1, each as often, whatever RapidCheck's size is.
 inline std::size_t any_place(std::size_t n) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, n)); }
 
-// A place of a list, in words.
+// Returns a place of a list, in words.
 inline std::string place(std::size_t k, std::size_t n) { return k == 0 ? "the first" : k + 1 == n ? "the last" : "a middle one"; }
 
-// By how much an inequality is missed: plainly, or by what no double would see.
+// Draws by how much an inequality is missed: plainly, or by what no double would see.
 inline rc::Gen<Rational> excess() {
   return rc::gen::oneOf(positive_rational(),
                         rc::gen::element(Rational(1, 1000), Rational(std::string("1/1000000000000000000000000000000"))));
 }
 
-// Weights that are convex but for one thing.
+// Holds weights that are convex but for one thing.
 struct BrokenWeights {
   std::string part;
   std::vector<Rational> weights;

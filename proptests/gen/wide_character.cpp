@@ -52,7 +52,8 @@ SkinnedMesh wide_model(const WidePlan& plan) {
 }
 
 Pose wide_pose(const WidePlan& plan, const SkinnedMesh& model) {
-  constexpr double end = 0.4999e-6;  // of a length, so that its square differs from 1 by a little less than 1e-6
+  // The square of such a length differs from 1 by a little less than 1e-6.
+  constexpr double end = 0.4999e-6;
   std::mt19937 random(plan.seed + 1);
   std::normal_distribution<double> normal;
   const Quaternion<double> first =

@@ -23,7 +23,8 @@ class Drawing {
   Point3 point() { return {normal(), normal(), normal()}; }
   Quaternion<double> rotation() { return Quaternion<double>(normal(), normal(), normal(), normal()).normalized(); }
 
-  // From the least denormal to the largest coordinate; half of them in the range of refits in single precision.
+  // Draws an exponent from the least denormal to the largest coordinate; half of them are in the range of refits in single
+  // precision.
   int exponent() { return least_exponent + below((below(2) ? 50 : greatest_exponent) - least_exponent + 1); }
 
  private:
@@ -58,7 +59,8 @@ Quaternion<double> turn(Drawing& d, int kind, const Quaternion<double>& common) 
     case 1: return common;
     case 2: return (common + d.rotation() * std::ldexp(1., -d.below(40))).normalized();
     case 3: return Quaternion<double>::Unit(1 + d.below(3));
-    case 4: {  // nearly a half-turn one way or the other
+    // It is nearly a half-turn one way or the other.
+    case 4: {
       const double near = std::ldexp(1., -d.below(30)), side = d.below(2) ? 1 : -1;
       return Quaternion<double>(near, side, 0.1 * near * d.normal(), 0.1 * near * d.normal()).normalized();
     }
@@ -126,7 +128,8 @@ WideModel wide_model(std::mt19937& random, int most_joints) {
   }
   const int triangles = 1 + d.below(30), leaves[] = {1, 1, 2, 8, 1000};
   for (int t = 0; t < triangles; ++t) m.triangles.push_back({d.below(vertices), d.below(vertices), d.below(vertices)});
-  if (shape == 5)  // an octahedron: all of its vertices in one node
+  // It is an octahedron, all of whose vertices are in one node.
+  if (shape == 5)
     for (int v = 0; v < 6; v += 3) m.triangles.push_back({v, v + 1, v + 2});
   out.triangles_per_leaf = leaves[d.below(5)];
   validate(m);

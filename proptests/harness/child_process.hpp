@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A copy of this process that does something until it is done or killed.
+// Runs a copy of this process that does something until it is done or killed.
 #pragma once
 
 #include <sys/wait.h>
@@ -21,19 +21,19 @@ class ChildProcess {
     } catch (...) {
       _exit(1);
     }
-    _exit(0);  // without the parent's buffers and destructors
+    _exit(0);  // This ends it without the parent's buffers and destructors.
   }
   ~ChildProcess() { kill_now(); }
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  // As kill -9 does. Does nothing to one that has ended.
+  // Kills it as kill -9 does. Does nothing to one that has ended.
   void kill_now() {
     if (ended_) return;
     ::kill(id_, SIGKILL);
     wait();
   }
-  // Whether it got to its end, and did not throw.
+  // Waits for it, and says whether it got to its end without throwing.
   bool wait() {
     int status = 0;
     if (!ended_ && waitpid(id_, &status, 0) == id_) ended_ = true, good_ = WIFEXITED(status) && WEXITSTATUS(status) == 0;

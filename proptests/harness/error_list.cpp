@@ -12,7 +12,7 @@ namespace {
 
 const std::string gap = "...";
 
-// The texts between the gaps of a pattern.
+// Returns the texts between the gaps of a pattern.
 std::vector<std::string> parts_of(const std::string& pattern) {
   std::vector<std::string> parts;
   std::size_t from = 0;
@@ -33,7 +33,7 @@ std::vector<std::string> sources() {
 
 std::string without_comments(const std::string& text) { return std::regex_replace(text, std::regex("(^|\\s)//[^\\n]*"), ""); }
 
-// The texts that stand in quotes in a statement, those with a letter.
+// Returns the texts that stand in quotes in a statement, if they have a letter.
 std::vector<std::string> literals_of(const std::string& statement) {
   static const std::regex literal(R"re("((?:[^"\\]|\\.)*)")re");
   std::vector<std::string> out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of errors, errors.md: each with where it is thrown, and the suite that provokes it.
+// Reads the list of errors, errors.md: each with where it is thrown, and the suite that provokes it.
 #pragma once
 
 #include <map>
@@ -11,21 +11,22 @@ namespace proptests {
 
 struct ListedError {
   std::string message;  // "..." stands for anything
-  std::string file;     // that throws it
-  std::string suite;    // in which it is thrown; or "none: " and why it cannot be
+  std::string file;     // This file throws it.
+  // It is thrown in this suite; or this is "none: " and why it cannot be.
+  std::string suite;
 };
 
-// Throws std::runtime_error for a line that is no row.
+// Reads the list. Throws std::runtime_error for a line that is no row.
 std::vector<ListedError> read_error_list(const std::string& file);
 
-// What throws errors and is not on the list: places of the sources, from the root of the repository.
+// Returns what throws errors and is not on the list: places of the sources, from the root of the repository.
 std::vector<std::string> unlisted_errors(const std::vector<ListedError>& list);
 
-// The errors of the list that none of these messages is, of suites that have run.
+// Returns the errors of the list that none of these messages is, of suites that have run.
 std::vector<std::string> unseen_errors(const std::vector<ListedError>& list, const std::set<std::string>& suites,
                                        const std::map<std::string, std::set<std::string>>& messages);
 
-// Whether a message is one of those that a pattern with "..." stands for.
+// Says whether a message is one of those that a pattern with "..." stands for.
 bool is_like(const std::string& message, const std::string& pattern);
 
 }  // namespace proptests

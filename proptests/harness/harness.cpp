@@ -10,7 +10,7 @@
 namespace proptests {
 namespace {
 
-// A listener that counts labels, and shows progress once a property takes long.
+// Counts labels as a listener, and shows progress once a property takes long.
 struct Quiet : rc::detail::TestListener {
   Quiet(const Session& s, long n) : session(s), wanted(n) {}
   void onTestCaseFinished(const rc::detail::CaseDescription& c) override {
@@ -45,7 +45,7 @@ std::string describe(const rc::detail::FailureResult& failure) {
   return out.str();
 }
 
-// Which kind of case there was too little or too much of; empty if none.
+// Returns which kind of case there was too little or too much of, or nothing.
 std::string complaint_about_shares(const Outcome& outcome) {
   const Options& options = outcome.options;
   const auto complaint = [](const std::string& what, double share, double wanted) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One run of the tests: its options, its suites, and the outcomes so far.
+// Holds one run of the tests: its options, its suites, and the outcomes so far.
 #pragma once
 
 #include <unistd.h>
@@ -19,22 +19,23 @@ class Session {
 
   std::map<std::string, std::vector<SuiteFunction>>& suites() { return suites_; }
   std::uint64_t seed() const { return seed_; }
-  // How many cases to run of a property that asks for so many by default.
+  // Returns how many cases to run of a property that asks for so many by default.
   int cases_for(int by_default) const { return cases_ > 0 ? cases_ : by_default; }
   const std::vector<Outcome>& outcomes() const { return outcomes_; }
 
-  // cases: of every property, or 0 for what each asks for.
+  // Sets the seed and the cases of every property, or 0 cases for what each asks for.
   void set(std::uint64_t seed, int cases) { seed_ = seed, cases_ = cases; }
   void announce(const std::string& stem, const std::string& sentence) const;
   void progress(long done, long of) const;
   void add(Outcome outcome);
 
  private:
-  std::map<std::string, std::vector<SuiteFunction>> suites_;  // by stem: in a fixed order whatever the link order
+  // They are sorted by stem, in a fixed order whatever the link order.
+  std::map<std::string, std::vector<SuiteFunction>> suites_;
   std::vector<Outcome> outcomes_;
   std::uint64_t seed_ = 2006;  // fixed unless --seed says otherwise
   int cases_ = 0;
-  // Else, in a log, a line is written once and from left to right.
+  // Says whether the output is watched. Otherwise, in a log, a line is written once and from left to right.
   static bool is_watched() { return ::isatty(STDOUT_FILENO); }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A new folder that goes away with its owner.
+// Makes a new folder that goes away with its owner.
 #pragma once
 
 #include <unistd.h>

@@ -45,7 +45,7 @@ std::map<std::string, std::set<std::string>> recorded_errors() {
 
 }  // namespace proptests
 
-// What every throw expression calls, in place of the C++ runtime's own, which then does its work. The runtime's headers
+// Every throw expression calls this in place of the C++ runtime's own function, which then does its work. The runtime's headers
 // do not declare it for programs.
 extern "C" __attribute__((noreturn)) void __cxa_throw(void* thrown, std::type_info* type, void (*destroy)(void*)) {
   using Throw = void (*)(void*, std::type_info*, void (*)(void*));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every error that was thrown, caught or not, while the suites ran: what shows that a test provokes it.
+// Records every error that was thrown, caught or not, while the suites ran. This shows that a test provokes it.
 #pragma once
 
 #include <map>
@@ -8,10 +8,10 @@
 
 namespace proptests {
 
-// From now on errors are thrown by this suite.
+// Records errors from now on as thrown by this suite.
 void record_errors_of(const std::string& stem);
 
-// The messages of all std::exceptions, by suite.
+// Returns the messages of all std::exceptions, by suite.
 std::map<std::string, std::set<std::string>> recorded_errors();
 
 }  // namespace proptests

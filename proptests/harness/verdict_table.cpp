@@ -6,7 +6,7 @@
 namespace proptests {
 namespace {
 
-// The verdict on the statement, not on the test: a statement that the tests refute is refuted.
+// Returns the verdict on the statement, not on the test: a statement that the tests refute is refuted.
 std::string verdict_of_statement(const Outcome& o) {
   if (o.skipped) return "skipped";
   if (!o.passed) return "TEST FAILED";

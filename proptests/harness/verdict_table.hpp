@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verdicts of a run, as a table; experiments/report sums them up by lemma, for the README, the report and the paper.
+// Writes the verdicts of a run as a table. experiments/report sums them up by lemma, for the README, the report and the paper.
 #pragma once
 
 #include <string>

@@ -27,7 +27,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SuiteResult, outcomes, messages)
 
 namespace {
 
-// Numbers of suites on their way between processes. A pipe hands out as few bytes as these whole, whoever asks.
+// Passes numbers of suites between processes. A pipe hands out as few bytes as these whole, whoever asks.
 class Numbers {
  public:
   Numbers() {
@@ -44,7 +44,7 @@ class Numbers {
     if (::write(ends_[1], &number, sizeof number) != sizeof number)
       throw std::runtime_error("a pipe between the tests' processes is broken");
   }
-  // From this process. Whoever takes then gets nothing when all are taken and no other process can put any.
+  // Says that this process puts no more. Whoever takes then gets nothing when all are taken and no other process can put any.
   void no_more() {
     if (ends_[1] >= 0) ::close(ends_[1]);
     ends_[1] = -1;
@@ -61,7 +61,7 @@ class Numbers {
   int ends_[2] = {-1, -1};
 };
 
-// A failure's detail may hold bytes that are no text; they are replaced.
+// Returns a result as JSON text. A failure's detail may hold bytes that are no text, which are replaced.
 std::string json_text(const SuiteResult& result) {
   return nlohmann::json(result).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -83,7 +83,8 @@ std::vector<SuiteResult> run_in_processes(const std::vector<std::string>& stems,
       ended.put(*number);
     }
   };
-  std::cout.flush(), std::fflush(stdout);  // or each process would print it again
+  // Otherwise each process would print it again.
+  std::cout.flush(), std::fflush(stdout);
   std::vector<std::unique_ptr<ChildProcess>> processes;
   for (int k = 0; k < workers; ++k) processes.push_back(std::make_unique<ChildProcess>(work));
   for (unsigned number = 0; number < stems.size(); ++number) waiting.put(number);
@@ -105,7 +106,8 @@ std::vector<SuiteResult> run_in_processes(const std::vector<std::string>& stems,
       continue;
     }
     missing += (missing.empty() ? "" : ", ") + stems[k];
-    if (std::filesystem::exists(folder.file(stems[k] + ".txt")))  // it had begun
+    // It had begun.
+    if (std::filesystem::exists(folder.file(stems[k] + ".txt")))
       std::cout << stems[k] << '\n' << refitlab::read_whole(folder.file(stems[k] + ".txt")) << std::flush;
   }
   if (!missing.empty())

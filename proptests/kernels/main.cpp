@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every kernel on every target that this program has and this processor runs, on a walking man: what is rounded as the
-// scalars are must be bit-identical to them, what bounds must hold all vertices. Exits with 1 where that fails, or where a
-// target that the processor runs was not compiled. For the compilers that the test suites are not built by.
+// Runs every kernel on every target that this program has and this processor runs, on a walking man. What is rounded as the
+// scalars are must be bit-identical to them, and what bounds must hold all vertices. Exits with 1 where that fails, or where a
+// target that the processor runs was not compiled. It is for the compilers that the test suites are not built by.
 #include <cstdio>
 #include <cstring>
 
@@ -68,7 +68,7 @@ void check_target(const Character& c, const Pose& pose, Skinning skinning, Failu
     }
 }
 
-// The queries take the widest target: pieces of nodes, clusters, triangles.
+// Says whether pairs agree. The queries take the widest target: pieces of nodes, clusters, triangles.
 bool pairs_agree(const Character& c, const Pose& pose, Skinning skinning) {
   const ClusterTree tree(c);
   ClusterBody first(tree, skinning), second(tree, skinning);

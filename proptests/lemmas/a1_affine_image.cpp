@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What affine maps make of balls, boxes and hulls.
+// Tests what affine maps make of balls, boxes and hulls.
 #include "lemmas/a1_affine_image.hpp"
 
 #include "proptests/counterexamples/a1_affine_image.hpp"
@@ -16,7 +16,7 @@ namespace {
 using namespace refitlab;
 using gen::RationalVec;
 
-// A point of the ball, on its surface as often as not.
+// Draws a ball and a point of it, which is on its surface in half of the cases.
 struct BallCase {
   gen::RandomAffine affine = gen::affine_map();
   SquaredBall<Rational, 3> ball;
@@ -31,7 +31,7 @@ struct BallCase {
   bool is_degenerate() const { return ball.squared_radius == 0 || squared_stretch(affine.map) == 0; }
 };
 
-// Joints with factors that are no less than what they stretch by, some of them tight, and weight vertices.
+// Draws joints with factors that are no less than what they stretch by, some of them tight, and weight vertices.
 struct ControlBallCase {
   BallCase ball;
   std::vector<AffineMap<Rational>> maps;
@@ -139,7 +139,7 @@ void blended_vertices_are_in_the_control_balls(Suite& t) {
     }
     const RationalVec<3> at = linear_blend<Rational>(maps, w, v);
     RC_ASSERT(at == apply(blend, v));
-    // In the box of the images, as in any convex set that holds them.
+    // The point is in the box of the images, as in any convex set that holds them.
     for (int i = 0; i < 3; ++i) {
       const auto by = [&](const auto& a, const auto& b) { return a[i] < b[i]; };
       RC_ASSERT(at[i] >= (*std::min_element(images.begin(), images.end(), by))[i] &&
@@ -251,7 +251,8 @@ void hypotheses_need_each_part(Suite& t) {
     if (*rc::gen::arbitrary<bool>()) {
       const auto broken = gen::broken_weights(w);
       part = broken.part, w = broken.weights;
-      asked = part.find("sum") != std::string::npos;  // a sum of 1 is enough for the identity, not for the hull
+      // A sum of 1 is enough for the identity, not for the hull.
+      asked = part.find("sum") != std::string::npos;
       squared = Rational(0), beside = RationalVec<3>::Zero();
     } else {
       beside *= Rational(1) + *gen::excess();
@@ -275,7 +276,7 @@ void pinned_cases(Suite& t) {
   });
   t.example("of a shear the bound is by 7 % too great", {.form = "beyond"}, [] {
     using namespace a1;
-    // (1 + sqrt(5)) / 2 squared is 2.618..., the row sum is 3.
+    // (1 + sqrt(5)) / 2 squared is 2.618..., and the row sum is 3.
     return squared_stretch(shear) == 3 && ball_is_carried(shear, unit_ball, pole).verdict == Verdict::holds;
   });
   t.example("weights beyond the joints leave the hull of their images",

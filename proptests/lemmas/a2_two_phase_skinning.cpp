@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scales blended first, then rotations.
+// Tests skinning that blends scales first, then rotations.
 #include "lemmas/a2_two_phase_skinning.hpp"
 
 #include "lemmas/b6_dual_quaternion_ball.hpp"
@@ -25,7 +25,7 @@ struct Scaled {
   std::vector<AffineMap<Rational>> scales;
   std::vector<Rational> weights;
   RationalVec<3> vertex = *gen::rational_vector<3>();
-  SquaredBall<Rational, 3> reference, around;  // around all scaled balls
+  SquaredBall<Rational, 3> reference, around;  // This is around all scaled balls.
   Scaled() {
     const std::size_t count = 1 + gen::any_place(4);
     for (std::size_t k = 0; k < count; ++k) scales.push_back(gen::affine_map().map);
@@ -71,7 +71,7 @@ void skinned_vertices_are_in_the_balls(Suite& t) {
         for (const auto& r : rigid) RC_PRE(dot(r.rotation, axis) > 0);
         const auto scaled = stays_in_scaled_ball<Rational>(c.scales, c.around, c.vertex, c.weights).scaled;
         const RationalVec<3> vertex = oracle::dual_quaternion(rigid, c.weights, scaled);
-        // b6 about the center of the ball, with the ball's radius for what it turns.
+        // The ball is that of b6 about the center, with the ball's radius added for what it turns.
         const auto ball = dual_quaternion_ball<Rational>(dual_blend(rigid, c.around.center), axis, *gen::rational_vector<3>());
         const Rational radius = upper_root(ball.squared_radius) + upper_root(c.around.squared_radius);
         RC_ASSERT(squared_distance(vertex, ball.center) <= radius * radius);
@@ -132,7 +132,7 @@ void hypotheses_need_each_part(Suite& t) {
       const auto broken = gen::broken_weights(c.weights);
       part = broken.part, c.weights = broken.weights;
       asked = part.find("more") != std::string::npos;
-      Rational farthest(0);  // as small as it may be
+      Rational farthest(0);  // This is as small as it may be.
       c.around.center = RationalVec<3>::Zero();
       for (const auto& s : c.scales) farthest = std::max(farthest, squared_norm(apply(s, c.vertex)));
       c.around.squared_radius = farthest;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices displaced by morph targets.
+// Tests vertices displaced by morph targets.
 #include "lemmas/a3_morph_displacement.hpp"
 
 #include "lemmas/c6_interval_hull.hpp"

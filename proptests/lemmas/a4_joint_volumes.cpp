@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Volumes that joints carry, grown by radii, hold linearly skinned vertices.
+// Tests that volumes that joints carry, grown by radii, hold linearly skinned vertices.
 #include "lemmas/a4_joint_volumes.hpp"
 
 #include "proptests/counterexamples/a4_joint_volumes.hpp"
@@ -24,7 +24,7 @@ Rational lack(const Volumes& volumes, const std::vector<Rational>& w) {
   return sum;
 }
 
-// A vertex and the volumes of one to five joints, which grow just as much as the inequality asks, or more.
+// Draws a vertex and the volumes of one to five joints, which grow exactly as much as the inequality requires, or more.
 struct VolumesCase {
   Volumes volumes;
   std::vector<Rational> w;
@@ -39,7 +39,7 @@ struct VolumesCase {
       const Rational distance = upper_root(squared_norm<Rational, 3>(vertex - point));
       volumes.push_back({joint, point, distance, Rational(2) * *gen::unit_interval_rational() * distance});
     }
-    // What lacks is given to a joint that has a weight, or all get as much.
+    // One joint with a weight gets what lacks, or all get as much.
     const Rational more = lack(volumes, w) + (is_tight ? Rational(0) : Rational(*gen::excess()));
     const std::size_t k = gen::any_place(w.size());
     if (more <= 0 && !is_tight) return;
@@ -47,7 +47,7 @@ struct VolumesCase {
     else
       for (auto& volume : volumes) volume.growth += more;
   }
-  // Fewer than two joints matter.
+  // Says whether fewer than two joints matter.
   bool is_degenerate() const {
     int matter = 0;
     for (std::size_t k = 0; k < w.size(); ++k) matter += w[k] > 0 && volumes[k].distance > 0;
@@ -57,7 +57,7 @@ struct VolumesCase {
 
 RationalVec<3> unit_direction() { return rotate<Rational>(*gen::unit_quaternion(), RationalVec<3>(0, 0, 1)); }
 
-// The pose of (iii): each way from the point to the vertex turned to the direction, which its turn before took from there.
+// Draws the pose of (iii): the turn of each joint takes the vector from its point to the vertex to the common direction.
 struct OpposedCase {
   Volumes volumes;
   std::vector<Rational> w;

@@ -23,7 +23,7 @@ Quaternion<Rational> dual_part(const RigidTransform<Rational>& c) {
   return multiply(Quaternion<Rational>(0, t[0], t[1], t[2]), c.rotation) / Rational(2);
 }
 
-// The weight vertices of the whole simplex of weights: the joints themselves.
+// Returns the blend whose weight vertices are those of the whole simplex of weights: the joints themselves.
 SphericalBlend<Rational> spherical_of(const Transforms& joints, const RationalVec<3>& center, const RationalVec<3>& v) {
   SphericalBlend<Rational> blend{{}, {}, v - center};
   for (const auto& c : joints) blend.rotations.push_back(c.rotation), blend.center_images.push_back(apply(c, center));
@@ -40,8 +40,8 @@ LinearBlend<Rational> linear_of(const Transforms& joints, const RationalVec<3>& 
   return blend;
 }
 
-// Dual quaternion skinning as in Kavan et al. 2008, Algorithm 1: v + 2 d x (d x v + a v) + 2 (a e - b d + d x e) for
-// the normalised blend (a, d) + eps (b, e).
+// Returns the vertex by dual quaternion skinning as in Kavan et al. 2008, Algorithm 1: v + 2 d x (d x v + a v) + 2 (a e - b d + d
+// x e) for the normalised blend (a, d) + eps (b, e).
 RationalVec<3> dual_quaternion_skinning(const Transforms& joints, const Weights& w, const RationalVec<3>& v) {
   Quaternion<Rational> q(0, 0, 0, 0), e(0, 0, 0, 0);
   for (std::size_t i = 0; i < w.size(); ++i) q += joints[i].rotation * w[i], e += dual_part(joints[i]) * w[i];
@@ -71,8 +71,8 @@ void assert_rejected(const Blend& blend) {
   RC_ASSERT(is_bezier_simplex(blend, points) == Verdict::fails);
 }
 
-// A change of any number of any control point, up or down, or another multi-index is no Bezier simplex of the blend. At
-// weights that are all positive each control point counts, so there the verdict is false too.
+// Asserts that control points with any number of any of them changed, up or down, or with another multi-index, are no Bezier
+// simplex of the blend. At weights that are all positive each control point counts, so there the verdict is false too.
 template <class Blend>
 void assert_each_field_checked(const Blend& blend, const Weights& u) {
   const auto good = control_points(blend);
@@ -169,7 +169,8 @@ void indices_are_those_of_the_power_of_a_sum(Suite& t) {
             const std::size_t m = 1 + gen::any_place(4);
             const int degree = *rc::gen::inRange(0, 5);
             const Weights u = *rc::gen::container<Weights>(m, gen::rational());
-            std::map<std::vector<std::size_t>, Rational> terms;  // by counting through all ordered lists
+            // It counts through all ordered lists.
+            std::map<std::vector<std::size_t>, Rational> terms;
             std::vector<std::size_t> digits(static_cast<std::size_t>(degree), 0);
             for (bool more = true; more;) {
               auto sorted = digits;
@@ -213,7 +214,7 @@ void hypotheses_need_each_part(Suite& t) {
       600);
   t.holds("a blend that is 0 has no image, and any other has one", {.number_type = "rational", .cases = 300}, [] {
     auto c = *gen::blend_case(gen::Spread::any, 4);
-    // One weight vertex more, that takes the others back: half of each is 0, or what is left over.
+    // One more weight vertex takes the others back: half of each is 0, or what is left over.
     const bool vanishes = *rc::gen::arbitrary<bool>();
     const RationalQuaternion left = *gen::nonzero_quaternion() * *gen::excess();
     for (auto& x : c.weights) x /= 2;

@@ -27,7 +27,7 @@ void assert_in_hull(const Blend& blend, const Weights& w) {
   RC_ASSERT((is_hull_point<Rational, 3>(positions(control_points(blend)), found.image, found.coefficients) == Verdict::holds));
 }
 
-// The ball about a center that touches the farthest of the balls.
+// Returns the ball about a center that touches the farthest of the balls.
 Ball3<Rational> ball_around(const RationalVec<3>& center, const std::vector<RationalVec<3>>& points, const Rational& radius) {
   Rational farthest(0);
   for (const auto& p : points) farthest = std::max(farthest, squared_distance(p, center));
@@ -115,7 +115,7 @@ void hypotheses_need_each_part(Suite& t) {
           return Weakening{broken.part, control_hull_hypotheses(control_points(c.blend), u),
                            image_in_control_hull(c.blend, u).verdict};
         }
-        // One weight vertex turned until just a part of the control points has a weight below 0.
+        // One weight vertex is turned until just a part of the control points has a weight below 0.
         const std::size_t k = gen::any_place(m);
         c.blend.rotations[k] = *gen::nonzero_quaternion();
         const auto points = control_points(c.blend);
@@ -160,7 +160,7 @@ void hypotheses_need_each_part(Suite& t) {
             for (std::size_t j = 0; j < m; ++j)
               if (i != j && std::minmax(i, j) != std::minmax(k, l)) RC_PRE(dot(q[i], q[j]) > 0);
         }
-        // What it is sufficient for: positive weights of the control points of degree 2.
+        // This is sufficient for positive weights of the control points of degree 2.
         const DualQuaternionBlend<Rational> blend{q, q, RationalVec<3>(1, 2, 3)};
         return Weakening{part, pairs_are_positive(q), control_weights_are_positive(control_points(blend))};
       },
@@ -208,7 +208,7 @@ void statements_say_their_words(Suite& t) {
     return pairs_are_positive(zero) == Verdict::fails;
   });
   t.example("where a weight is negative, a ball around the control balls need not hold the vertex", {}, [] {
-    // From far below: the image is above all control points.
+    // Seen from far below, the image is above all control points.
     const auto points = control_points(b2::far_apart);
     const auto ball = ball_around(b2::upwards * Rational(-1000000), positions(points), Rational(0));
     return encloses_control_balls(ball, points, Rational(0)) == Verdict::holds &&

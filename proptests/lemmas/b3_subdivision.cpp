@@ -19,7 +19,7 @@ using gen::RationalQuaternion;
 using Span = std::span<const Rational>;
 using Blend = SphericalBlend<Rational>;
 
-// At least two weight vertices.
+// Draws a blend of at least two weight vertices.
 gen::BlendCase with_an_edge(gen::Spread spread, int most) {
   auto c = *gen::blend_case(spread, most);
   RC_PRE(c.blend.weight_vertex_count() > 1);
@@ -38,7 +38,7 @@ std::vector<std::size_t> any_index(std::size_t m) {
   return index;
 }
 
-// The least sizes there are, with rational bounds.
+// Returns the least sizes there are, with rational bounds.
 SimplexSizes<Rational> sizes_of(const Blend& blend) {
   Rational s(0), t(0), b(0);
   for (std::size_t k = 0; k < blend.weight_vertex_count(); ++k) {
@@ -51,7 +51,7 @@ SimplexSizes<Rational> sizes_of(const Blend& blend) {
   return {upper_root(s), upper_root(t), upper_root(b), upper_root(squared_norm(blend.x))};
 }
 
-// The largest distance of a control point to the surface at the mean of its weight vertices.
+// Returns the largest distance of a control point to the surface at the mean of its weight vertices.
 double largest_distance(const SphericalBlend<double>& blend) {
   double largest = 0;
   for (const auto& p : control_points(blend)) {
@@ -186,7 +186,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     auto half = halves_cover<Rational>(c.blend, edge.kept, edge.replaced, c.weights);
     half.coefficients[*rc::gen::inRange<std::size_t>(0, half.coefficients.size())] += amount;
     RC_ASSERT(is_half_point<Rational>(c.blend, c.weights, half) == Verdict::fails);
-    // The same quaternions, with the images of another rotation center.
+    // This has the same quaternions, with the images of another rotation center.
     auto other_center = c.blend;
     for (auto& r : other_center.center_images) r[*rc::gen::inRange(0, 3)] += amount;
     RC_ASSERT(is_same_blend<Rational>(c.blend, c.weights, c.blend, c.weights) == Verdict::holds);
@@ -246,7 +246,7 @@ void halves_need_each_part(Suite& t) {
       RC_ASSERT(half.rotations[i] * Rational(2) == c.blend.rotations[i] + c.blend.rotations[other]);
       RC_ASSERT(half.center_images[i] * Rational(2) == c.blend.center_images[i] + c.blend.center_images[other]);
     }
-    // Both ways between the weights, by themselves.
+    // The weights are mapped in both directions, each by itself.
     const auto back = half_in_whole<Rational>(c.blend, edge, c.weights);
     for (std::size_t i = 0; i < half.weight_vertex_count(); ++i) {
       const Rational share = c.weights[edge.replaced] / 2;
@@ -321,7 +321,7 @@ void sizes_need_each_part(Suite& t) {
       t, "each size of each weight vertex and each edge is looked at, and each sign", 0.02,
       [] {
         auto c = *gen::blend_case(gen::Spread::any, 3);
-        // All weight vertices alike but one, or one pair about the third, and sizes that fit the others and the rest.
+        // All weight vertices are equal but one, or one pair about the third, and the sizes fit the others and the rest.
         auto& q = c.blend.rotations;
         auto& r = c.blend.center_images;
         q.assign(3, *gen::nonzero_quaternion()), r.assign(3, r[0]);
@@ -331,7 +331,8 @@ void sizes_need_each_part(Suite& t) {
         const std::size_t kind = gen::any_place(8);
         q[k] += step;
         if (kind != 0) r[k] += move;
-        if (kind == 1) c.blend.x.setZero();  // so that nothing but the centers makes a gap
+        // Then nothing but the centers makes a gap.
+        if (kind == 1) c.blend.x.setZero();
         const std::size_t l = (k + 1) % 3;
         const std::string pair = gen::place(std::min(k, l), 3) + " and " + gen::place(std::max(k, l), 3);
         if (kind == 0) q[l] -= step;
@@ -364,7 +365,7 @@ void sizes_need_each_part(Suite& t) {
         if (kind == 1) smaller.center_spread /= 100;
         const auto index = any_index(3);
         RC_PRE(blend_has_image(c.blend, Span(middle_weights<Rational>(index, 3))) == Verdict::holds);
-        // Of a negative length or arm, or of a single large one, the other terms may make up.
+        // Where a length or an arm is negative, or a single one is too large, the other terms may compensate for it.
         const bool is_needed = kind < 2;
         return Weakening{part, sizes_bound(c.blend, sizes),
                          is_needed ? std::optional(control_point_is_near(c.blend, index, smaller).verdict) : std::nullopt};
@@ -403,7 +404,7 @@ void control_points_are_near_in_each_part(Suite& t) {
       return ControlPointDistance<Rational>{Verdict::undecided, u,
                                             point.numerator - at.numerator * Rational(point.weight / at.denominator)};
     };
-    // Sizes so large that the bounds hold of anything.
+    // These sizes are so large that the bounds hold of anything.
     const SimplexSizes<Rational> loose{Rational(1000000000), Rational(1000000000), Rational(1000000000), Rational(1000000000)};
     auto good = witness_at(middle_weights<Rational>(index, m));
     RC_ASSERT(is_control_point_distance(c.blend, index, loose, good) == Verdict::holds);
@@ -415,10 +416,11 @@ void control_points_are_near_in_each_part(Suite& t) {
     const auto broken = gen::broken_weights(good.weights).weights;
     RC_PRE(blend_has_image(c.blend, Span(broken)) == Verdict::holds);
     RC_ASSERT(is_control_point_distance(c.blend, index, loose, witness_at(broken)) == Verdict::fails);
-    auto tight = sizes;  // the gap alone is too long: the weight's part knows only the rotations' spread
+    // The gap alone is too long: the weight's part knows only the rotations' spread.
+    auto tight = sizes;
     tight.center_spread = 0, tight.arm = 0;
     if (squared_norm(good.scaled_gap) > 0) RC_ASSERT(is_control_point_distance(c.blend, index, tight, good) == Verdict::fails);
-    // No gap at all, and only the weight is too small for a spread of 0.
+    // There is no gap at all, and only the weight is too small for a spread of 0.
     c.blend.x.setZero();
     for (auto& r : c.blend.center_images) r.setZero();
     auto point = sizes_of(c.blend);
@@ -476,7 +478,7 @@ void new_edges_and_middles_need_each_part(Suite& t) {
           });
   t.holds("a middle that is wrong across both ends is rejected, and one of length 0", {.number_type = "rational", .cases = 50},
           [] {
-            // Two in a coordinate plane; what is changed is perpendicular to both.
+            // Two are in a coordinate plane, and what is changed is perpendicular to both.
             const bool low = *rc::gen::arbitrary<bool>();
             const auto in_plane = [&](const Rational& a, const Rational& b) {
               return low ? RationalQuaternion(a, b, 0, 0) : RationalQuaternion(0, 0, a, b);

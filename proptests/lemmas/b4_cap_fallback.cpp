@@ -22,8 +22,8 @@ using Span = std::span<const Rational>;
 using Span4 = std::span<const RationalQuaternion>;
 using Fallback = CapFallback<Rational>;
 
-// The best cap about the sum of the weight vertices, about one of them or about any axis; where there is none, all
-// rotations.
+// Returns the best cap about the sum of the weight vertices, about one of them or about any axis, or all rotations where there is
+// none.
 Fallback fallback_of(const SphericalBlend<Rational>& blend) {
   Fallback cap{blend.rotations, blend.center_images, Quaternion<Rational>(0, 0, 0, 0), Rational(0)};
   const int kind = *rc::gen::inRange(0, 4);
@@ -51,7 +51,8 @@ struct FallbackCase {
   bool applies() const { return cap_fallback_hypotheses(cap, u()) == Verdict::holds; }
 };
 
-// Three or four weight vertices in a cap of kappa^2 > 1/2, which claims something: drawn together until they are.
+// Draws three or four weight vertices in a cap of kappa^2 > 1/2, which claims something. They are drawn together until they are
+// in it.
 struct NarrowCap {
   Fallback cap;
   std::vector<Rational> weights;
@@ -129,7 +130,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
     const FallbackCase f(3);
     RC_PRE(squared_norm(combine<Rational, 4>(f.u(), f.cap.rotations)) > 0);
-    auto wrong = f.cap;  // a cap that may be too narrow
+    auto wrong = f.cap;  // This cap may be too narrow.
     wrong.squared_cosine = *gen::unit_interval_rational();
     RC_PRE(squared_norm(f.cap.axis) > 0);
     for (const auto& cap : {f.cap, wrong})
@@ -151,8 +152,8 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     const RationalVec<3> bump = *gen::nonzero_vector<3>();
     auto vertex = good, hull = good, step = good;
     vertex.vertex += bump;
-    hull.hull_point += bump, hull.vertex += bump;     // consistent, but off the hull point of u
-    step.rotation_step += bump, step.vertex += bump;  // consistent, but no rotation of x by the blend
+    hull.hull_point += bump, hull.vertex += bump;     // This is consistent, but off the hull point of u.
+    step.rotation_step += bump, step.vertex += bump;  // This is consistent, but no rotation of x by the blend.
     RC_ASSERT(rejected(vertex) && rejected(hull) && rejected(step));
   });
 }
@@ -191,7 +192,8 @@ void hypotheses_need_each_part(Suite& t) {
           cap.axis.setZero();
           is_image = false;
         }
-        if (kind == 0) {  // by itself it is the same rotation: what is half-way to it is far off
+        // By itself it is the same rotation: what is half-way to it is far off.
+        if (kind == 0) {
           for (auto& w : n.weights) w /= 2;
           n.weights[k] += Rational(1, 2);
         }
@@ -260,16 +262,16 @@ void each_part_of_the_steps_is_checked(Suite& t) {
       hull.hull_point[i] += amount, hull.vertex[i] += amount;
       RC_ASSERT(rejected(cap, vertex, u) && rejected(cap, hull, u));
     }
-    auto rests = good;  // a step of length 0 is short enough, but no rotation
+    auto rests = good;  // This step of length 0 is short enough, but no rotation.
     rests.rotation_step.setZero(), rests.vertex = rests.hull_point + offset;
     if (squared_norm(good.rotation_step) > 0) RC_ASSERT(rejected(cap, rests, u));
-    auto narrower = cap;  // all is right, but for the length of the step
+    auto narrower = cap;  // All is right here, but for the length of the step.
     const Rational allowed = fallback_ball(cap, x).squared_radius;
     narrower.squared_cosine = 1;
     const auto steps = cap_fallback_encloses(narrower, x, u, offset);
     RC_ASSERT(steps.verdict == verdict_of(squared_norm(steps.rotation_step) == 0));
     RC_ASSERT(squared_norm(good.rotation_step) <= allowed);
-    // Weights of another sum, with a hull point and a rotation that fit them.
+    // The weights have another sum, with a hull point and a rotation that fit them.
     auto broken = n.weights;
     broken[0] += amount;
     const Rational sum = Rational(1) + amount;

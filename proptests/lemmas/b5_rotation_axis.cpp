@@ -17,7 +17,7 @@ using namespace refitlab;
 using gen::RationalVec;
 using Span = std::span<const Rational>;
 
-// Up to four weight vertices that turn about one axis, a cap about the sum of them (or about one) where there is one, and
+// Draws up to four weight vertices that turn about one axis, a cap about the sum of them (or about one) where there is one, and
 // weights.
 struct Twist {
   RationalVec<3> axis = *gen::nonzero_vector<3>();
@@ -48,7 +48,8 @@ struct Twist {
   }
 };
 
-// Three weight vertices in a cap of kappa^2 > 1/2, drawn together until they are, and a point that is not on the axis.
+// Draws three weight vertices in a cap of kappa^2 > 1/2, drawn together until they are in it, and a point that is not on the
+// axis.
 struct NarrowTwist : Twist {
   NarrowTwist() {
     cap.axis = about_axis();
@@ -74,7 +75,7 @@ void twists_keep_the_part_along_the_axis(Suite& t) {
             const auto found = twist_keeps_axis<Rational>(w.axis, w.cap, w.x, w.weights);
             RC_ASSERT(found.verdict == Verdict::holds);
             RC_ASSERT(is_twisted_point<Rational>(w.axis, w.cap, w.x, w.weights, found) == Verdict::holds);
-            // Smaller than the paper's ball by ||p||^2 / ||x||^2, squared.
+            // The ball is smaller than the paper's by ||p||^2 / ||x||^2, squared.
             const auto tight = twist_ball(w.cap, found.parts), loose = fallback_ball(w.cap, w.x);
             RC_ASSERT(tight.squared_radius * squared_norm(w.x) == loose.squared_radius * squared_norm(found.parts.across));
           });
@@ -121,7 +122,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     };
     const RationalVec<3> bump = *gen::nonzero_vector<3>();
     auto split = good, sum = good, image = good;
-    split.parts.along += bump, split.parts.across -= bump;  // consistent, but not along and across
+    split.parts.along += bump, split.parts.across -= bump;  // This is consistent, but not along and across.
     sum.parts.across += bump;
     image.rotated += bump;
     RC_ASSERT(rejected(split) && rejected(sum) && rejected(image));
@@ -155,7 +156,7 @@ void hypotheses_need_each_part(Suite& t) {
         }
         const std::size_t m = w.cap.rotations.size(), k = gen::any_place(m);
         w.weights = *gen::convex_weights(static_cast<int>(m));
-        w.cap.squared_cosine = 0;  // nothing is claimed of the angle
+        w.cap.squared_cosine = 0;  // Nothing is claimed of the angle.
         const auto other = *gen::nonzero_quaternion();
         RC_PRE(turns_about(w.axis, other) == Verdict::fails);
         std::string part;
@@ -167,12 +168,12 @@ void hypotheses_need_each_part(Suite& t) {
         } else if (kind == 2) {
           part = "the cap's axis turns about another axis";
           w.cap.axis = other;
-          is_needed = false;  // without a cap
+          is_needed = false;  // There is no cap.
         } else {
           const auto broken = gen::broken_weights(w.weights);
           part = broken.part;
           w.weights = broken.weights;
-          is_needed = false;  // on a twist any weights keep the axis
+          is_needed = false;  // On a twist any weights keep the axis.
         }
         RC_PRE(squared_norm(combine<Rational, 4>(Span(w.weights), w.cap.rotations)) > 0);
         const Verdict hypothesis = twist_hypotheses<Rational>(w.axis, w.cap, w.weights);
@@ -196,7 +197,7 @@ void each_part_of_a_witness_is_checked(Suite& t) {
     const Rational amount = *gen::excess();
     auto along = good, rests = good;
     along.parts.along += w.axis * amount, along.parts.across -= w.axis * amount;
-    rests.rotated = good.parts.along;  // in the ball and across, but no image
+    rests.rotated = good.parts.along;  // This is in the ball and across, but no image.
     RC_ASSERT(rejected(along) && rejected(rests));
     for (int i = 0; i < 3; ++i) {
       auto sum = good, image = good, split = good;
@@ -205,7 +206,7 @@ void each_part_of_a_witness_is_checked(Suite& t) {
       split.parts.along[i] += amount, split.parts.across[i] -= amount;
       RC_ASSERT(rejected(sum) && rejected(image) && rejected(split));
     }
-    // A part across that is longer, but still across: only the sum tells.
+    // The part across is longer, but still across: only the sum shows it.
     auto longer = good;
     longer.parts.across *= Rational(1) + amount;
     RC_ASSERT(rejected(longer));
@@ -230,10 +231,11 @@ void each_part_of_a_witness_is_checked(Suite& t) {
     RC_ASSERT(found.rotated == rotated && found.verdict == verdict_of(inside));
   });
   t.example("turned towards the axis a point is in the ball about its part along, but does not keep that part", {}, [] {
-    // From (3, 4, 0) to (5, 0, 0), about the z axis.
+    // It turns (3, 4, 0) to (5, 0, 0), about the z axis.
     const b5::Fallback towards{{b5::Rotation(2, 0, 0, -1)}, {b5::Point(0, 0, 0)}, b5::Rotation(1, 0, 0, 0), 0};
     const auto found = twist_keeps_axis(b5::x_axis, towards, b5::Point(3, 4, 0), Span(b5::all));
-    auto split_after = found;  // at the image: then its part along is kept, but the point's part across is not across
+    // It is split at the image: then its part along is kept, but the point's part across is not across.
+    auto split_after = found;
     split_after.parts = {b5::Point(5, 0, 0), b5::Point(-2, 4, 0)};
     return found.rotated == b5::Point(5, 0, 0) && encloses(twist_ball(towards, found.parts), found.rotated) == Verdict::holds &&
            found.verdict == Verdict::fails &&

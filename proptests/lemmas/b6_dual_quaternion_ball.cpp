@@ -19,8 +19,8 @@ using gen::RationalVec;
 using Span = std::span<const Rational>;
 using Blend = DualQuaternionBlend<Rational>;
 
-// Weight vertices of any length; duals of any kind, the axis the weight vertices' sum, one of them, their nearest point
-// to 0, or any.
+// Draws weight vertices of any length and duals of any kind. The axis is the weight vertices' sum, one of them, their nearest
+// point to 0, or any.
 struct BallCase {
   Blend blend;
   std::vector<Rational> weights;
@@ -45,7 +45,7 @@ struct BallCase {
   bool applies() const { return dual_quaternion_ball_hypotheses(blend, axis, u()) == Verdict::holds; }
 };
 
-// The same with at least so many weight vertices, all of them turned to the axis' side.
+// Draws the same with at least so many weight vertices, all of them turned to the axis' side.
 struct AheadCase : BallCase {
   explicit AheadCase(std::size_t least) : BallCase(4) {
     RC_PRE(blend.weight_vertex_count() >= least && squared_norm(axis) > 0);
@@ -95,7 +95,7 @@ void images_are_in_the_ball(Suite& t) {
           });
   t.example("near a blend that is 0 a vertex is carried as far as wanted", {.form = "beyond"}, [] {
     for (const b6::Q far : {1, 1000, 1000000}) {
-      // Just before half-way: q = e, d = (0, -(1 - e) / 2, 0, 0), so the image of the origin is (1 - 1/e, 0, 0).
+      // Just before half-way q = e and d = (0, -(1 - e) / 2, 0, 0), so the image of the origin is (1 - 1/e, 0, 0).
       const b6::Q e = Rational(1) / (Rational(3) * far);
       const std::vector<b6::Q> u{(Rational(1) + e) / Rational(2), (Rational(1) - e) / Rational(2)};
       const auto at = b6::opposite.at(u);
@@ -129,7 +129,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     auto image = good, reach = good, longer = good;
     image.image += *gen::nonzero_vector<3>();
     reach.reach += *gen::nonzero_quaternion();
-    // Along the blend nothing shows in the image: only the length tells.
+    // A change along the blend does not show in the image: only the length shows it.
     const RationalQuaternion q = combine<Rational, 4>(c.u(), c.blend.rotations);
     const Rational size = ball.squared_radius + Rational(1);
     longer.reach += q * (Rational(2) * size + squared_norm(good.reach) / squared_norm(q));
@@ -161,7 +161,7 @@ void hypotheses_need_each_part(Suite& t) {
           part = broken.part, u = broken.weights;
         }
         const Verdict hypothesis = dual_quaternion_ball_hypotheses(blend, c.axis, Span(u));
-        // At a right angle the ball's radius is no number; of weights the image tells the ratios, not the sum.
+        // At a right angle the ball's radius is no number. The image depends on the ratios of the weights, not on their sum.
         if (kind == 1 || (kind == 2 && std::none_of(u.begin(), u.end(), [](const Rational& x) { return x < 0; })))
           return Weakening{part, hypothesis, {}};
         RC_PRE(squared_norm(combine<Rational, 4>(Span(u), blend.rotations)) > 0);
@@ -191,7 +191,7 @@ void each_part_of_a_witness_is_checked(Suite& t) {
             }
             const auto ball = dual_quaternion_ball(blend, c.axis, c.center);
             RC_ASSERT(ball.center == c.center && ball.squared_radius == greatest * c.axis.dot(c.axis));
-            // ||q||^2 v' = Im(q p q* + 2 d q*).
+            // The image satisfies ||q||^2 v' = Im(q p q* + 2 d q*).
             const RationalQuaternion back(q[0], -q[1], -q[2], -q[3]);
             const RationalQuaternion scaled =
                 oracle::hamilton(oracle::hamilton(q, pure(blend.point)), back) + oracle::hamilton(d, back) * Rational(2);
@@ -215,14 +215,15 @@ void each_part_of_a_witness_is_checked(Suite& t) {
     for (int i = 0; i < 3; ++i) {
       RationalVec<3> step(0, 0, 0);
       step[i] = amount;
-      const RationalQuaternion led = multiply(pure_quaternion(step), q);  // leads to an image that is off by the step
+      // This leads to an image that is off by the step.
+      const RationalQuaternion led = multiply(pure_quaternion(step), q);
       auto image = good, reach = good, both = good;
       image.image += step, reach.reach += led;
       both.image += step, both.reach += led;
       RC_ASSERT(verdict(huge, image) == Verdict::fails && verdict(huge, reach) == Verdict::fails &&
                 verdict(huge, both) == Verdict::fails);
     }
-    // A ball that the witness just reaches, and one a little smaller.
+    // The witness just reaches one ball, and the other is a little smaller.
     const Rational along = dot(q, c.axis), reached = squared_norm(good.reach) * squared_norm(c.axis) / (along * along);
     RC_ASSERT(verdict({c.center, reached}, good) == Verdict::holds);
     RC_ASSERT(verdict({c.center, reached - amount}, good) == Verdict::fails);

@@ -25,7 +25,7 @@ Rational least_cosine(const Transforms& list) {
   return least;
 }
 
-// The rotation by half the stereographic parameter, of the shorter of both ways.
+// Returns the rotation of half the stereographic parameter, by the shorter way.
 RationalQuaternion drawn_in(RationalQuaternion q) {
   if (q[0] < 0) q = -q;
   const RationalVec<3> v = imaginary(q) / (Rational(2) * (Rational(1) + q[0]));
@@ -33,7 +33,7 @@ RationalQuaternion drawn_in(RationalQuaternion q) {
   return {(Rational(1) - s) * scale, Rational(2) * v[0] * scale, Rational(2) * v[1] * scale, Rational(2) * v[2] * scale};
 }
 
-// A solution of the normal equations, by elimination; what they leave free is 0.
+// Returns a solution of the normal equations, by elimination. What they leave free is 0.
 RationalVec<3> least_squares_center(const Transforms& list) {
   std::array<std::array<Rational, 4>, 3> rows{};
   const RationalVec<3> none = RationalVec<3>::Zero();
@@ -79,7 +79,7 @@ struct ReachCase {
     if (*rc::gen::inRange(0, 5) == 0) cosine = cosine / Rational(2);
     weights = *gen::convex_weights(static_cast<int>(transforms.size()));
   }
-  // Of the sharp bound.
+  // Says whether the sharp bound applies.
   bool are_close() const { return cosine >= Rational(3, 5); }
   Span u() const { return weights; }
   std::vector<Rational> w() const { return weights; }
@@ -175,7 +175,7 @@ void blends_deviate_within_the_bound(Suite& t) {
         const RationalVec<3> deviation = at.numerator / at.denominator - combine<Rational, 3>(c.u(), images);
         RC_CLASSIFY(transforms.size() == 1, "degenerate");
         RC_ASSERT(squared_norm(deviation) <= squared_deviation_share<Rational>(c.u(), cosines, least) * squared_spread(images));
-        // By pairs, with any a, as the versines are shares of it.
+        // The bound by pairs holds with any a, as the versines are shares of it.
         const Rational a = *rc::gen::element(Rational(1), Rational(2), Rational(1, 3));
         std::vector<Rational> versines;
         for (std::size_t k = 0; k < transforms.size(); ++k)
@@ -190,7 +190,8 @@ void blends_deviate_within_the_bound(Suite& t) {
 void joints_spread_within_the_bound(Suite& t) {
   t.example("two halves that are half a turn apart deviate by half of A^2, or 9/16 of it where no cosine is known", {}, [] {
     const std::vector<Rational> halves{Rational(1, 2), Rational(1, 2)}, cosines{Rational(0)};
-    const std::vector<Rational> low{Rational(-1)}, thirds(3, Rational(1, 3)), ones(3, Rational(1));  // as many as are asked for
+    // There are as many as are required.
+    const std::vector<Rational> low{Rational(-1)}, thirds(3, Rational(1, 3)), ones(3, Rational(1));
     return squared_deviation_share<Rational>(halves, cosines, Rational(1, 2)) == Rational(1, 2) &&
            squared_deviation_share<Rational>(halves, low, Rational(1, 2)) == Rational(9, 16) &&
            squared_deviation_share<Rational>(std::vector<Rational>{Rational(1)}, {}, Rational(1)) == Rational(0) &&
@@ -258,7 +259,7 @@ void hypotheses_need_each_part(Suite& t) {
           transforms[k].rotation *= *rc::gen::element(Rational(2), Rational(1001, 1000), Rational(100));
         } else if (kind == 1) {
           part = gen::place(k, 3) + " is too short";
-          // Still at the cosine from the others, so that its length alone is wrong.
+          // It is still at the cosine from the others, so that its length alone is wrong.
           cosine = 0, transforms[k].rotation *= *rc::gen::element(Rational(1, 2), Rational(999, 1000), Rational(1, 100));
         } else if (kind == 2) {
           part = "the pair of " + gen::place(std::min(k, l), 3) + " and " + gen::place(std::max(k, l), 3);
@@ -272,7 +273,8 @@ void hypotheses_need_each_part(Suite& t) {
         } else if (kind == 3) {
           part = "the cosine is negative";
           cosine = -*gen::excess();
-          point.reset();  // of three that are close the bound holds then too
+          // For three that are close the bound then holds too.
+          point.reset();
         } else {
           const auto broken = gen::broken_weights(weights);
           part = broken.part, weights = broken.weights;
@@ -282,7 +284,7 @@ void hypotheses_need_each_part(Suite& t) {
         }
         const Verdict hypothesis = reach_hypotheses(transforms, cosine, Span(weights));
         RC_PRE(blend_has_image(dual_blend(transforms, RationalVec<3>(0, 0, 0)), Span(weights)) == Verdict::holds);
-        // A little off unit length the bound, which is sharp at one place only, has room; so it has for a close pair.
+        // A little off unit length the bound, which is sharp at one place only, has room. So it has for a close pair.
         if (!point || kind == 1 || kind == 2) return Weakening{part, hypothesis, {}};
         return Weakening{part, hypothesis, dual_reach(transforms, cosine, *point, Span(weights), *point).verdict};
       },
@@ -303,7 +305,8 @@ void hypotheses_need_each_part(Suite& t) {
                 half_turn[1 + axis] = 1;
                 const Transforms joints{{{1, 0, 0, 0}, {0, 0, 0}}, {half_turn, {0, 0, 0}}};
                 RationalVec<3> center(0, 0, 0);
-                center[i] = amount;  // the gradient is 8 times as much in this coordinate, or 0 along the axis
+                // The gradient is 8 times as much in this coordinate, or 0 along the axis.
+                center[i] = amount;
                 RC_ASSERT(is_least_squares_center(joints, center) == verdict_of(i == axis));
               }
           });
@@ -340,7 +343,7 @@ void each_part_of_a_witness_is_checked(Suite& t) {
     auto longer = good, shorter = good;
     longer.turned *= Rational(1) + amount, shorter.turned /= Rational(1) + amount;
     if (c.vertex != c.point) RC_ASSERT(rejected(longer, c.cosine) && rejected(shorter, c.cosine));
-    // Of a cosine of 1 nothing may deviate.
+    // Where the cosine is 1 nothing may deviate.
     if (squared_norm(good.deviated) > 0) RC_ASSERT(rejected(good, Rational(1)));
     RC_ASSERT(good.verdict == Verdict::holds);
     auto none = dual_reach(c.transforms, Rational(1), c.point, c.u(), c.vertex);
@@ -359,7 +362,8 @@ void pairs_and_spreads_need_each_part(Suite& t) {
     if (*rc::gen::arbitrary<bool>()) {
       part = gen::place(k, 3) + " is no unit";
       transforms[k].rotation *= *rc::gen::element(Rational(2), Rational(999, 1000));
-      if (*rc::gen::arbitrary<bool>()) {  // without a weight it is in no blend: only the length of its pairs tells
+      // Without a weight it is in no blend: only the length of its pairs shows it.
+      if (*rc::gen::arbitrary<bool>()) {
         part += ", nor in the blend";
         weights[(k + 1) % 3] += weights[k], weights[k] = 0;
       }
@@ -375,7 +379,7 @@ void pairs_and_spreads_need_each_part(Suite& t) {
       RationalVec<3> moved(0, 0, 0);
       moved[i] = *gen::excess();
       const Transforms shifted{{{1, 0, 0, 0}, {0, 0, 0}}, {{1, 0, 0, 0}, moved}};
-      // Of a sum s what is carried is s times too long, in this coordinate alone.
+      // With weights of sum s, the image is s times too long, in this coordinate alone.
       const std::vector<Rational> twice{1, 1};
       RC_ASSERT(deviates_by_pairs(shifted, RationalVec<3>(0, 0, 0), Span(twice)) == Verdict::fails);
     }

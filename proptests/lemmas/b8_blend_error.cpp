@@ -21,8 +21,8 @@ using Error = BlendError<Rational>;
 
 const RationalQuaternion zero = RationalQuaternion::Zero();
 
-// Two blends, which may be near each other or equal, and the least errors that are rational: of rotations that are multiples of unit
-// quaternions, and of those that are apart by such a multiple, they are exact.
+// Draws two blends, which may be near each other or equal, and the least errors that are rational. The errors are exact for
+// rotations that are multiples of unit quaternions, and for those whose difference is such a multiple.
 struct ErrorCase {
   Blend blend, other;
   RationalVec<3> x = *gen::rational_vector<3>();
@@ -44,8 +44,8 @@ struct ErrorCase {
   bool is_degenerate() const { return other.rotation == blend.rotation || squared_norm(x) == 0 || blend.dual == zero; }
 };
 
-// The rotation nearest to the given one of those that turn by another angle about an axis across x, so that the bound is sharp. All of
-// cosine, sine, e and kappa are rational.
+// Draws the rotation nearest to the given one of those that turn by another angle about an axis across x, so that the bound is
+// sharp. All of cosine, sine, e and kappa are rational.
 struct SharpCase {
   RationalQuaternion q, other;
   RationalVec<3> x;
@@ -58,7 +58,7 @@ struct SharpCase {
     const Rational square = sq(half_tangent), cosine = (Rational(1) - square) / (Rational(1) + square),
                    sine = Rational(2) * half_tangent / (Rational(1) + square);
     q = frame * length;
-    // On the right, so that the axis is given in the frame before.
+    // It multiplies from the right, so that the axis is given in the frame before.
     other = multiply(q, RationalQuaternion(cosine, sine, 0, 0)) * cosine;
     x = RationalVec<3>(0, *gen::rational(), *gen::rational());
     error = {length * sine, 0, 0, Rational(1) / length};
@@ -75,7 +75,8 @@ void images_are_near_each_other(Suite& t) {
   t.holds("a rotation whose quaternion is off turns every point by no more than 2 kappa e of its length",
           {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.1, .degenerate_at_most = 0.7}, [] {
             ErrorCase c;
-            c.error.inverse_length = upper_root(Rational(1) / squared_norm(c.blend.rotation));  // of one of both
+            // This is the inverse length of one of the two blends.
+            c.error.inverse_length = upper_root(Rational(1) / squared_norm(c.blend.rotation));
             RC_CLASSIFY(c.is_degenerate(), "degenerate");
             RC_ASSERT(turn_hypotheses(c.blend.rotation, c.other.rotation, c.error) == Verdict::holds);
             const auto found = turn_is_little(c.blend.rotation, c.other.rotation, c.x, c.error);
@@ -128,7 +129,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("each part of a witness is checked by itself", {.number_type = "rational", .cases = 300}, [] {
     const ErrorCase c;
     RC_PRE(squared_norm(c.x) > 0);
-    const Error plenty{Rational(1000000), Rational(1000000), Rational(1000000), Rational(1000000)};  // only the images tell
+    const Error plenty{Rational(1000000), Rational(1000000), Rational(1000000), Rational(1000000)};  // Only the images show it.
     const auto turned = turn_is_little(c.blend.rotation, c.other.rotation, c.x, plenty);
     const auto moved = move_is_little(c.blend, c.other, plenty);
     RC_ASSERT(turned.verdict == Verdict::holds && moved.verdict == Verdict::holds);
@@ -177,7 +178,7 @@ void hypotheses_need_each_part(Suite& t) {
                      is_asked ? std::optional(turn_is_little(c.q, c.other, c.x, c.error).verdict) : std::nullopt};
   });
   needs_each_part(t, "the bound of translations needs each part of its hypotheses", 0.2, [] {
-    // About one axis: lengths are those of numbers. The dual is a translation along it.
+    // All turns are about one axis, where lengths are those of numbers. The dual is a translation along it.
     const Rational kappa = *gen::positive_rational(), length = Rational(1) / kappa, amount = *gen::excess(),
                    dual = *gen::positive_rational(), off = *gen::positive_rational();
     Blend blend{RationalQuaternion(length, 0, 0, 0), RationalQuaternion(0, dual, 0, 0)}, other = blend;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A curve against its chord.
+// Tests a curve against its chord.
 #include "lemmas/c1_chord_bound.hpp"
 
 #include "proptests/counterexamples/c1_chord_bound.hpp"
@@ -20,19 +20,19 @@ using Curve = CubicCurve<Rational, 3>;
 
 bool is_degenerate(const BoundedCurve& c) { return c.is_line || c.share == 0 || c.share == 1; }
 
-// As rational as can be, and no less than the lengths of the velocities' Bezier points.
+// Returns a rational speed that is no less than the lengths of the velocities' Bezier points, and close.
 Rational speed_of(const Curve& curve) {
   Rational greatest(0);
   for (const auto& v : curve.velocities()) greatest = std::max(greatest, squared_norm(v));
   return upper_root(greatest);
 }
 
-// The squared distance of the curve from its chord.
+// Returns the squared distance of the curve from its chord.
 Rational squared_deviation(const Curve& curve, const Rational& share) {
   return squared_distance<Rational, 3>(curve.at(share), between<Rational, 3>(curve.points[0], curve.points[3], share));
 }
 
-// A curve that runs there at one speed and back at another.
+// Draws a curve that runs there at one speed and back at another.
 Curve straight(const RationalVec<3>& along, const Rational& first, const Rational& second, const Rational& third) {
   const RationalVec<3> from = *gen::rational_vector<3>(), p = from + along * first, q = p + along * second;
   return {{from, p, q, RationalVec<3>(q + along * third)}, *gen::positive_rational()};
@@ -55,8 +55,8 @@ void curves_are_near_their_chords(Suite& t) {
             RC_ASSERT(is_chord_point(c.curve, c.acceleration, c.share, found) == Verdict::holds);
             const Rational slack = chord_slack(c.acceleration, c.curve.duration);
             RC_ASSERT(squared_deviation(c.curve, c.share) <= slack * slack);
-            if (c.is_parabola)  // sharp
-              RC_ASSERT(squared_deviation(c.curve, Rational(1, 2)) == slack * slack);
+            // The bound is sharp.
+            if (c.is_parabola) RC_ASSERT(squared_deviation(c.curve, Rational(1, 2)) == slack * slack);
           });
   t.holds("and as near as its speed allows",
           {.form = "beyond", .number_type = "rational", .degenerate_at_least = 0.05, .degenerate_at_most = 0.5}, [] {
@@ -121,7 +121,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     RC_ASSERT(are_chord_steps(c.curve, speed, c.share, steps) == Verdict::fails);
   });
   t.holds("a witness that is right but for a bound is rejected", {.number_type = "rational", .cases = 300}, [] {
-    // Where the share is 0 or 1 only the lengths tell.
+    // Where the share is 0 or 1 only the lengths show it.
     const BoundedCurve c = gen::bounded_curve();
     const Rational end = *rc::gen::element(Rational(0), Rational(1)), speed = speed_of(c.curve);
     auto point = point_near_chord(c.curve, c.acceleration, end);
@@ -160,7 +160,7 @@ void hypotheses_need_each_part(Suite& t) {
     return Weakening{part, chord_hypotheses(curve, bound, at), asked ? std::optional(conclusion) : none};
   });
   needs_each_part(t, "the bound by the speed needs each part of its hypotheses", 0.3, [] {
-    // There and back again: what runs faster than it is said to on any part of its way.
+    // The curve runs there and back again, and on some part of its way faster than it is said to.
     const RationalVec<3> direction = gen::unit_direction();
     const Rational speed = *gen::positive_rational();
     const std::size_t fast = gen::any_place(3);
@@ -170,7 +170,7 @@ void hypotheses_need_each_part(Suite& t) {
     steps[fast] += *rc::gen::element(Rational(3), Rational(20));
     Curve curve = straight(direction, steps[0], steps[1], steps[2]);
     curve.duration = Rational(3) / speed;
-    // Faster than at the speed of the others the curve runs away from the chord by what this speed allows only if it is far faster.
+    // A curve that runs faster on one part than the speed of the others leaves the bound of this speed only if it is far faster.
     auto conclusion = std::optional(steps_near_chord(curve, speed, share).verdict);
     if (fast == 1) conclusion = std::nullopt;
     return Weakening{part, first_order_hypotheses(curve, speed, share), conclusion};

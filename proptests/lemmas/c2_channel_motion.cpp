@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Channels of clips between two keys.
+// Tests channels of clips between two keys.
 #include "lemmas/c2_channel_motion.hpp"
 
 #include "proptests/counterexamples/c2_channel_motion.hpp"
@@ -17,7 +17,7 @@ using gen::RationalQuaternion;
 using gen::RationalVec;
 using M = MultiprecisionInterval;
 
-// Two keys and their tangents; equal keys, and tangents of 0, often enough.
+// Draws two keys and their tangents. Equal keys, and tangents of 0, come up often enough.
 struct Keys {
   RationalVec<3> from = *gen::rational_vector<3>(), to = *gen::rational_vector<3>(), out = *gen::rational_vector<3>(),
                  into = *gen::rational_vector<3>();
@@ -29,12 +29,12 @@ struct Keys {
   bool is_degenerate() const { return to == from || share == 0 || share == 1; }
 };
 
-// Quaternions of length 1, n steps of one turn apart.
+// Draws quaternions of length 1, n steps of one turn apart.
 struct Arc {
   RationalQuaternion from, step, to;
   int steps, passed;
   Arc() : from(*gen::unit_quaternion()), steps(*rc::gen::inRange(2, 8)), passed(*rc::gen::inRange(0, steps + 1)) {
-    // A turn by the angle of (n, 1) n times is less than half a turn in R^4.
+    // n turns by the angle of (n, 1) are less than half a turn in R^4.
     const RationalVec<3> v = *gen::rational_vector<3>() / Rational(100 * steps);
     const Rational s = squared_norm(v), scale = Rational(1) / (Rational(1) + s);
     step = {(Rational(1) - s) * scale, Rational(2) * v[0] * scale, Rational(2) * v[1] * scale, Rational(2) * v[2] * scale};
@@ -145,7 +145,8 @@ void slerps_are_within_their_bounds(Suite& t) {
             const Rational duration = *gen::positive_rational(), share = *gen::unit_interval_rational();
             RC_CLASSIFY(to == from || share == 0 || share == 1, "degenerate");
             const auto bounds = slerp_motion<M>(lift<M>(from), lift<M>(to), lift<M>(duration));
-            if (to == from) {  // no arc: the channel is at rest
+            // There is no arc, and the channel is at rest.
+            if (to == from) {
               RC_ASSERT(less_equal(bounds.speed, M(1e-50)) == Verdict::holds);
               return;
             }
@@ -156,7 +157,7 @@ void slerps_are_within_their_bounds(Suite& t) {
             RC_ASSERT(less_equal(squared_norm(now.value), sq(bounds.size)) != Verdict::fails);
             RC_ASSERT(less_equal(squared_norm(now.velocity), sq(bounds.speed)) == Verdict::holds);
             RC_ASSERT(less_equal(squared_norm(now.acceleration), sq(bounds.acceleration)) == Verdict::holds);
-            // As said, by the great circle it is on.
+            // The channel moves as said, by the great circle that it is on.
             const M speed = acos(lift<M>(Rational(dot(from, to)))) / lift<M>(duration);
             const Quaternion<M> across = now.velocity / speed;
             RC_ASSERT(slerp_moves<M>(now.value, across, speed, bounds).verdict != Verdict::fails);
@@ -224,7 +225,7 @@ void moments_and_hypotheses_need_each_part(Suite& t) {
     }
   });
   needs_each_part(t, "a spline needs a time between its keys, and a share of it", 0.2, [] {
-    // Rising from 0 to 1 and on: beyond the keys it is longer, and faster, than the bounds say.
+    // The channel rises from 0 to 1 and on. Beyond the keys it is longer, and faster, than the bounds say.
     Rational share = *gen::unit_interval_rational(), duration = *gen::positive_rational();
     std::string part;
     const bool before = *rc::gen::arbitrary<bool>();

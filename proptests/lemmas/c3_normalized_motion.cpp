@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What normalising a blend of quaternions does to its motion.
+// Tests what normalising a blend of quaternions does to its motion.
 #include "lemmas/c3_normalized_motion.hpp"
 
 #include "proptests/counterexamples/c3_normalized_motion.hpp"
@@ -35,7 +35,8 @@ struct Blend {
   std::vector<RationalQuaternion> parts() const { return {moment.value, moment.velocity, moment.acceleration}; }
 };
 
-// The derivatives of p / ||p||^2 and of p / ||p|| times any constant, by jets: p / N where N = ||p||, with N N' = (p, p').
+// Returns the derivatives of p / ||p||^2 and of p / ||p|| times any constant, by jets: p / N where N = ||p||, with N N' = (p,
+// p').
 Moment<Rational, 4> inverse_by_jets(const Moment<Rational, 4>& m) {
   using Jet = oracle::Jet<Rational>;
   const auto p = oracle::jets_of(m);
@@ -86,7 +87,7 @@ void normalised_blends_move_within_the_bounds(Suite& t) {
   t.holds(
       "the inverse reaches its bounds, and a turn without a bend reaches those of the normalised blend",
       {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
-        // p'' such that its reflection points where the rest does.
+        // p'' is such that its reflection points where the rest does.
         const Rational least = *gen::positive_rational(), speed = *gen::positive_rational(), bend = *gen::positive_rational();
         const RationalQuaternion p = *gen::unit_quaternion(), v = *gen::unit_quaternion();
         const Moment<Rational, 4> still{p * least, v * speed, RationalQuaternion::Zero()};
@@ -230,7 +231,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
       if (b.motion.speed * Rational(1000) > b.least) return;
     } else {
       RC_PRE(squared_norm(normalized.acceleration) > 0 && squared_norm(inverse.acceleration) > 0);
-      // Bends are bounded by both: what turns too slowly for its bend as well.
+      // Both bound bends: what turns too slowly for its bend is rejected as well.
       b.motion = {Rational(0), b.motion.speed * little * little * little, b.motion.acceleration * little * little * little};
     }
     const bool too_small = normalization_hypotheses(b.moment, b.motion, b.least) == Verdict::fails;
@@ -308,7 +309,8 @@ void pinned_cases(Suite& t) {
   t.example("the greatest bend without a bend of the blend is nearly reached", {.form = "beyond"}, [] {
     using namespace c3;
     // 37/32 is at least 2/sqrt(3), by less than 0.2 %.
-    const Motion motion{0, Q(8602326, 1000000), 0};  // a little more than sqrt(74)
+    // This is a little more than sqrt(74).
+    const Motion motion{0, Q(8602326, 1000000), 0};
     const auto found = normalized_moves(greatest_bend, motion, Q(1));
     const Motion less{0, motion.speed * Q(998, 1000), 0};
     return Q(37, 32) * Q(37, 32) * 3 >= 4 && Q(37, 32) * Q(37, 32) * 3 < Q(1003 * 4, 1000) && found.verdict == Verdict::holds &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points under chains of joints that move.
+// Tests points under chains of joints that move.
 #include "lemmas/c4_chain_motion.hpp"
 
 #include "proptests/counterexamples/c4_chain_motion.hpp"
@@ -18,7 +18,8 @@ using gen::RationalVec;
 using Links = std::span<const LinkMoment<Rational>>;
 using Motions = std::span<const LinkMotion<Rational>>;
 
-// The numbers of a chain of two links in a row, to be lifted: three moments and motions a link, and the point's.
+// Judges a chain of two links in a row. Its numbers, which are lifted, are three moments and motions for each link, and the
+// point's.
 template <class S>
 Verdict two_links_move(const std::vector<Vec<S, 4>>& numbers) {
   std::size_t next = 0;
@@ -80,7 +81,7 @@ void points_move_within_the_bounds_of_their_chain(Suite& t) {
           });
   t.holds("hinges in a row that turn one way about one axis reach the bounds",
           {.form = "beyond", .number_type = "rational", .cases = 200}, [] {
-            // Stretched along x, all about z: nothing is lost between the products.
+            // The links are stretched along x, and all turn about z: nothing is lost between the products.
             const RationalVec<3> none = RationalVec<3>::Zero();
             MovingChain c(0);
             const int count = *rc::gen::inRange(1, 5);
@@ -142,7 +143,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     c.motions.push_back({at_rest(Rational(0)), circle_motion(speed), at_rest(Rational(1))});
     c.point = {RationalVec<3>(1, 0, 0), none, none}, c.below = at_rest(Rational(1));
     const auto steps = chain_moves<Rational>(c.links, c.motions, c.point, c.below).steps;
-    // The turn's axis is z only before q: seen from the point it is another, which may leave it at rest.
+    // The turn's axis is z only before q: seen from the point it is another one, which may leave it at rest.
     RC_PRE(squared_norm(steps[1].velocity) == Rational(4) * speed * speed);
     (*rc::gen::arbitrary<bool>() ? c.motions[0].rotation.speed : c.motions[0].rotation.acceleration) *= little * little;
     RC_ASSERT(are_chain_steps<Rational>(c.links, c.motions, c.point, c.below, steps) == Verdict::fails);
@@ -153,7 +154,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 
 void hypotheses_need_each_part(Suite& t) {
   needs_each_part(t, "a chain needs each part of the hypotheses", 0.1, [] {
-    // Hinges about z reach the bounds in size, speed and acceleration: what breaks one of them is seen.
+    // Hinges about z reach the bounds in size, speed and acceleration, so that a broken bound is seen.
     const RationalVec<3> none = RationalVec<3>::Zero();
     const RationalVec<3> x(1, 0, 0);
     LinkMoment<Rational> link{{x, x, x},
@@ -177,7 +178,7 @@ void hypotheses_need_each_part(Suite& t) {
       default: {
         link.rotation = gen::turning_moment({1, 0, 0, 0}, RationalVec<3>(0, 0, 1), none);
         motion.rotation = circle_motion(Rational(1));
-        // At rest but for the turn, so that what is across counts.
+        // The link is at rest but for the turn, so that what is across counts.
         link.translation = {none, none, none}, motion.translation = at_rest(Rational(0));
         link.scale = {RationalVec<3>(1, 1, 1), none, none}, motion.scale = at_rest(Rational(1));
         break_of(link.rotation, motion.rotation, "the rotation");
@@ -199,7 +200,8 @@ void pinned_cases(Suite& t) {
     const std::vector<LinkMotion> motions{of_hinge, of_bone};
     const auto found = chain_moves<Q>(links, motions, tip, one);
     const auto bounds = carried_motion(chain_motion<Q>(motions), one);
-    // The outer turn carries 2 at the speed 2, the inner 1 at the speed 2 more; 4 * 2 + 4 + 2 * 2 * 2 of acceleration.
+    // The outer turn carries a length of 2 at the speed 2, and the inner one a length of 1 at the speed 2 more. The acceleration
+    // is 4 * 2 + 4 + 2 * 2 * 2.
     return found.verdict == Verdict::holds && bounds.size == 2 && bounds.speed == 6 && bounds.acceleration == 20 &&
            squared_norm(found.steps.back().acceleration) == 400;
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices skinned while their joints move.
+// Tests vertices that are skinned while their joints move.
 #include "lemmas/c5_skinned_motion.hpp"
 
 #include "lemmas/c6_interval_hull.hpp"
@@ -24,12 +24,12 @@ RationalMotion bounds_of(const Moment<Rational, 3>& m) {
   return {upper_root(squared_norm(m.value)), upper_root(squared_norm(m.velocity)), upper_root(squared_norm(m.acceleration))};
 }
 
-// Rigid joints that turn and move, and what they make of a point.
+// Draws rigid joints that turn and move, and holds what they make of a point.
 struct Skin {
   std::vector<RigidTransform<Jet>> joints;
   std::vector<RationalMotion> rotations, images;
   SkinMoment<Rational> skin;
-  Rational least;  // no more than the blend's length, and close
+  Rational least;  // This is no more than the blend's length, and close.
   RationalVec<3> point = *gen::rational_vector<3>(), from = *gen::rational_vector<3>();
   explicit Skin(int most) : least(0) {
     const std::size_t count = 1 + gen::any_place(static_cast<std::size_t>(most));
@@ -47,7 +47,7 @@ struct Skin {
     const Rational above = upper_root(squared);
     least = above * above == squared ? above : Rational(above * Rational(999, 1000));
   }
-  // The images of the point, as seen from a place.
+  // Sets the images of the point, as seen from a place.
   void see_from(const RationalVec<3>& f) {
     images.clear(), skin.images.clear();
     for (const auto& joint : joints) {
@@ -104,7 +104,7 @@ void skinned_vertices_move_within_the_bounds(Suite& t) {
           });
   t.holds("what all joints do alike may be left out",
           {.form = "beyond", .number_type = "rational", .cases = 300, .degenerate_at_most = 0.6}, [] {
-            // In the frame of a rigid chain, which carries what the joints below it make of the point.
+            // The point is seen in the frame of a rigid chain, which carries what the joints below it make of the point.
             const Skin s(3);
             RC_PRE(s.least > 0);
             RC_CLASSIFY(s.is_degenerate(), "degenerate");
@@ -139,7 +139,7 @@ void vertices_of_chains_are_near_their_chords(Suite& t) {
         const auto w = *gen::convex_weights(2);
         RC_CLASSIFY(w[0] == 1 || w[1] == 1 || share == 0 || share == 1 || (outer.rate == 0 && inner.rate == 0), "degenerate");
         const auto length = [](const RationalVec<3>& x) { return upper_root(squared_norm(x)); };
-        // The channels' bounds, and those of the chains.
+        // These are the channels' bounds, and those of the chains.
         const LinkMotion<Rational> of_outer{
             {std::max(length(from), length(to)), length(RationalVec<3>(to - from)) / duration, Rational(0)},
             outer.motion(),
@@ -157,7 +157,7 @@ void vertices_of_chains_are_near_their_chords(Suite& t) {
               local{RationalQuaternion(inner.at(passed * duration) * sign), bone};
           return std::vector{root, compose(root, local)};
         };
-        // The shorter way, and the least cosine on it.
+        // The blend takes the shorter way, on which the cosine has a least value.
         Rational sign(1);
         const auto cosine_at = [&](const Rational& passed) {
           const auto c = joints(passed, sign);
@@ -179,7 +179,7 @@ void vertices_of_chains_are_near_their_chords(Suite& t) {
              spherical_motion<Rational>(images(pivot), rotations, length(RationalVec<3>(vertex - pivot)), least));
         near([&](const auto& c) { return oracle::dual_quaternion(c, w, vertex); },
              dual_motion<Rational>(images(vertex), rotations, least));
-        // In the frame of the outer joint, which turns both: the inner one alone makes the blend.
+        // The point is seen in the frame of the outer joint, which turns both: the inner one alone makes the blend.
         const std::vector<RationalMotion> below{at_rest(length(vertex)),
                                                 carried_motion(chain_of(of_inner), at_rest(length(vertex)))},
             turns{at_rest(Rational(1)), of_inner.rotation};
@@ -250,7 +250,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 
 void hypotheses_need_each_part(Suite& t) {
   needs_each_part(t, "skinned motion needs each part of the hypotheses", 0.02, [] {
-    // Two joints at right angles or less, that turn alike: the blend is as short as it is said to be.
+    // Two joints at right angles or less turn alike: the blend is as short as it is said to be.
     const RationalVec<3> still = RationalVec<3>::Zero();
     const RationalVec<3> axis = gen::unit_direction(), image = gen::unit_direction();
     const RationalQuaternion a = *gen::unit_quaternion();
@@ -283,7 +283,7 @@ void hypotheses_need_each_part(Suite& t) {
     }
     const Verdict hypothesis = skin_hypotheses<Rational>(s.skin, s.images, s.rotations, s.least);
     if (!asked) return Weakening{part, hypothesis, std::nullopt};
-    // Seen where it shows: in the linear blend, or in one of the turns.
+    // The verdict is taken where it shows: in the linear blend, or in one of the turns.
     const Verdict conclusion = linear_moves<Rational>(s.skin, s.images).verdict &
                                dual_moves<Rational>(s.skin, s.images, s.rotations, s.least).verdict &
                                spherical_moves<Rational>(s.skin, image, s.images, s.rotations, Rational(1), s.least).verdict;

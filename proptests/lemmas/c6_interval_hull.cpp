@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds throughout an interval.
+// Tests bounds throughout an interval.
 #include "lemmas/c6_interval_hull.hpp"
 
 #include "lemmas/vocabulary/quaternion.hpp"
@@ -19,7 +19,7 @@ using gen::RationalVec;
 using Curve = CubicCurve<Rational, 3>;
 using Span = std::span<const Rational>;
 
-// Points of one duration, and what holds them at both ends.
+// Draws points of one duration, and what holds them at both ends.
 struct MovingPoints {
   std::vector<Curve> curves;
   Rational acceleration, share = *gen::unit_interval_rational(), direction_length;
@@ -57,7 +57,7 @@ struct MovingPoints {
   }
 };
 
-// One to three parameters; a parameter's bends are the same at its two ends.
+// Draws one to three parameters. A parameter's bends are the same at its two ends.
 struct Patch {
   BentPatch<Rational> patch;
   std::vector<RationalMotion> motions;
@@ -128,7 +128,7 @@ void patches_are_near_the_hull_of_their_corners(Suite& t) {
             RC_ASSERT(is_near_hull<Rational>(c.patch, c.motions, c.shares, found) == Verdict::holds);
             const RationalVec<3> twin = BentPatch<Rational>::interpolated(c.patch.corners, c.shares);
             RC_ASSERT(twin == found.in_hull);
-            // The formula of programs, where speeds say nothing.
+            // The formula is that of the programs, where speeds say nothing.
             std::vector<RationalMotion> fast = c.motions;
             Rational slack(0);
             for (std::size_t i = 0; i < fast.size(); ++i) {

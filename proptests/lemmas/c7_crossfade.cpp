@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Crossfades of two clips.
+// Tests crossfades of two clips.
 #include "lemmas/c7_crossfade.hpp"
 
 #include "lemmas/s43_minkowski_sum.hpp"
@@ -19,7 +19,7 @@ using gen::RationalQuaternion;
 using gen::RationalVec;
 using M = MultiprecisionInterval;
 
-// Two rotations that move, on the shorter way to each other.
+// Draws two rotations that move, on the shorter way to each other.
 struct Fade {
   gen::TurningQuaternion first = gen::turning_quaternion(), second = gen::turning_quaternion();
   Rational weight = *gen::unit_interval_rational(), cosine;
@@ -35,7 +35,7 @@ struct Fade {
 
 enum class Moving { first, second, weight };
 
-// The slerp of both as one of its three arguments moves, by jets of intervals.
+// Returns the slerp of both as one of its three arguments moves, by jets of intervals.
 Moment<M, 4> slerp_as(const Fade& f, Moving moving) {
   using J = oracle::Jet<M>;
   const auto jets = [](const Moment<Rational, 4>& m, bool moves) {
@@ -94,14 +94,14 @@ void slerps_move_within_the_bounds(Suite& t) {
             const Fade f;
             RC_ASSERT(is_shorter_way(f.cosine) == Verdict::holds);
             RC_PRE(f.cosine < 1);
-            // In weight it is as slow as the arc is long, but for 1/3 %.
+            // As the weight moves it is as slow as the arc is long, but for 1/3 %.
             RC_ASSERT(less(slerp_by_weight(lift<M>(f.cosine)).speed, M(acos(lift<M>(f.cosine)) * M(1003.3) / M(1000))) ==
                       Verdict::holds);
             RC_CLASSIFY(f.is_degenerate(), "degenerate");
             const auto motion = [](const RationalMotion& m) {
               return Motion<M>{M(1), lift<M>(m.speed), lift<M>(m.acceleration)};
             };
-            // As of a cell of weights about this one, and of a cosine that is known a little less well.
+            // The cell is one of weights about this one, with a cosine that is known a little less well.
             const Rational around = *rc::gen::element(Rational(0), Rational(1, 50), Rational(1, 3));
             const Rational low = std::max(Rational(0), Rational(f.weight - around)),
                            high = std::min(Rational(1), Rational(f.weight + around));
@@ -116,14 +116,15 @@ void slerps_move_within_the_bounds(Suite& t) {
                             slerp_by_time(motion(f.second.motion), cosine, lift<M>(high), lift<M>(product))),
                   std::pair(slerp_as(f, Moving::weight), slerp_by_weight(lift<M>(f.cosine)))}) {
               RC_ASSERT(is_slerp_moment(m, bounds) != Verdict::fails);
-              // At the end that does not move nothing does, to the last digit.
+              // Nothing moves at the end that does not move, but for the last digits.
               RC_ASSERT(less_equal(squared_norm(m.velocity), M(sq(bounds.speed) + M(1e-40))) == Verdict::holds);
               RC_ASSERT(less_equal(squared_norm(m.acceleration), M(sq(bounds.acceleration) + M(1e-40))) == Verdict::holds);
             }
           });
 }
 
-// p or q turns at a speed of 1, out of the plane of both or at an angle to it, and is at a right angle to the other one.
+// Checks slerps in which p or q turns at a speed of 1, out of the plane of both or at an angle to it, and is at a right angle to
+// the other one.
 Checked check_slerps_across_a_right_angle() {
   using J = oracle::Jet<M>;
   long tried = 0;
@@ -140,7 +141,7 @@ Checked check_slerps_across_a_right_angle() {
         ++tried;
         if (less_equal(squared_norm(moment.velocity), M(sq(bound.speed) + M(1e-40))) != Verdict::holds)
           return Checked(false, tried, "the share " + as_text(share) + " is faster");
-        // And little more: by sin(pi/2 m) against pi/2 m at most.
+        // The bound is a little more: it has pi/2 m at most in place of sin(pi/2 m).
         if (beside == 0 && less(sq(bound.speed), M(squared_norm(moment.velocity) * M(1.35))) != Verdict::holds)
           return Checked(false, tried, "the share " + as_text(share) + " is slower by far");
       }
@@ -200,7 +201,7 @@ void joints_fade_within_the_bounds(Suite& t) {
             RC_ASSERT(moves_within(first, faded_by_time(of_x, of_y.size, left)) == Verdict::holds);
             RC_ASSERT(moves_within(second, faded_by_time(of_y, of_x.size, w)) == Verdict::holds);
             RC_ASSERT(moves_within(third, faded_by_weight(of_x.size, of_y.size, gap)) == Verdict::holds);
-            // By jets.
+            // The motion is computed by jets.
             using Jet = oracle::Jet<Rational>;
             const auto jx = oracle::jets_of(x), jy = oracle::jets_of(y);
             for (int i = 0; i < 3; ++i) {
@@ -232,7 +233,7 @@ void joints_fade_within_the_bounds(Suite& t) {
           const RationalVec<3> moved = between<Rational, 3>(here, there, w);
           return RationalVec<3>(rotate_by<Rational>(blend, x) + moved);
         };
-        // With the weight from 0 on.
+        // The weight starts at 0.
         const Rational least = gen::lower_root((Rational(1) + cosine) / Rational(2)),
                        gap = upper_root(Rational(2) - Rational(2) * cosine), apart = upper_root(squared_distance(here, there));
         const Rational size = upper_root(std::max(squared_norm(here), squared_norm(there))), length = upper_root(squared_norm(x));
@@ -268,12 +269,13 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     RC_ASSERT(is_slerp_moment(turn.moment, turn.motion) == Verdict::holds);
     auto moment = turn.moment;
     const Rational amount = *gen::excess();
-    // Along the quaternion, where it may not go.
+    // The change is along the quaternion, where it may not move.
     switch (gen::any_place(4)) {
       case 0: moment.value += turn.moment.value * amount; break;
       case 1: moment.velocity += turn.moment.value * amount; break;
       case 2: moment.acceleration += turn.moment.value * amount; break;
-      default:  // with the acceleration that this speed would need
+      // It has the acceleration that this speed would need.
+      default:
         moment.velocity += turn.moment.value * amount;
         moment.acceleration += turn.moment.value * Rational(squared_norm(turn.moment.velocity) - squared_norm(moment.velocity));
     }
@@ -313,7 +315,7 @@ void pinned_cases(Suite& t) {
     using namespace c7;
     const Quaternion<Q> blend = between<Q, 4>(right, left, half);
     const Point middle = rotate_by<Q>(blend, hand);
-    // In w the point goes at 2 * (6/5) / (4/5) and bends by 2 (37/32 + 1) (3/2)^2 at most.
+    // As w moves, the point moves at 2 * (6/5) / (4/5) and bends by 2 (37/32 + 1) (3/2)^2 at most.
     const refitlab::Motion<Q> turn = normalized_motion<Q>({1, Q(6, 5), 0}, Q(4, 5));
     const refitlab::Motion<Q> point = carried_motion(chain_of<Q>({{0, 0, 0}, turn, {1, 0, 0}}), {1, 0, 0});
     return middle == Point(1, 0, 0) &&
@@ -352,7 +354,7 @@ void pinned_cases(Suite& t) {
   });
   t.example("a slerp of rotations more than a right angle apart may move faster than its ends",
             {.form = "beyond", .hypothesis = "c >= 0"}, [] {
-              // Nearly opposite ends: moved across the arc, the middle goes far faster than the end.
+              // The ends are nearly opposite: if one moves across the arc, the middle moves far faster than it.
               using J = oracle::Jet<M>;
               const M cosine = lift<M>(Rational(-99, 101)), sine = lift<M>(Rational(20, 101));
               const Quaternion<J> a(J(1), J(0), J(0), J(M(0), M(1), M(0))), b(J(cosine), J(sine), J(0), J(0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any pose of a chain of joints.
+// Tests any pose of a chain of joints.
 #include "lemmas/c8_any_pose.hpp"
 
 #include "proptests/counterexamples/c8_any_pose.hpp"
@@ -87,7 +87,7 @@ void skinned_vertices_stay_in_their_balls(Suite& t) {
       "a skinned vertex stays in its ball: by linear and spherical blending, and by dual quaternions with the pairs' "
       "sum",
       {.form = "beyond", .number_type = "rational", .cases = 400, .degenerate_at_most = 0.7}, [] {
-        // A vertex of the joints of some rigid chains from one root.
+        // The vertex belongs to the joints of some rigid chains from one root.
         const std::size_t count = 1 + gen::any_place(3);
         const RationalVec<3> vertex = *gen::rational_vector<3>(), center = *gen::rational_vector<3>(),
                              none = RationalVec<3>::Zero();
@@ -102,7 +102,7 @@ void skinned_vertices_stay_in_their_balls(Suite& t) {
           still = still || c.links.empty();
           RigidTransform<Rational> all;
           for (const auto& link : c.links) all = compose(all, {link.rotation, link.translation});
-          // Signs: as near to the first as may be.
+          // The sign is the one that is nearer to the first.
           if (k > 0 && dot(all.rotation, joints[0].rotation) < 0) all.rotation = -all.rotation;
           joints.push_back(all), reaches.push_back(reach_of_chain<Rational>(c.ranges, length));
           reach = std::max(reach, reaches.back()),

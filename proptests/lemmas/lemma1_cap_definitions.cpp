@@ -15,7 +15,7 @@ namespace {
 
 using namespace refitlab;
 
-// The plane touches the surface, passes through its center or through the point, or misses it on either side.
+// Says whether the plane touches the surface, passes through its center or through the point, or misses it on either side.
 template <int D>
 bool is_degenerate(const gen::SurfaceInHalfSpace<D>& c) {
   const Rational e = offset_from_center(c.surface, c.half_space);
@@ -34,7 +34,7 @@ const auto agree_on = [](const auto& surface, const auto& h, const auto& scale, 
   return definitions_agree(h, cap_of_half_space(surface, h, scale).cap, x);
 };
 
-// A surface that a half-space cuts a cap out of, with r > 0, d != 0 and a rational r ||d||.
+// Draws a surface that a half-space cuts a cap out of, with r > 0, d != 0 and a rational r ||d||.
 template <int D>
 gen::SurfaceInHalfSpace<D> cut_surface() {
   const auto c = *gen::surface_in_half_space<D>().as("case");
@@ -42,13 +42,13 @@ gen::SurfaceInHalfSpace<D> cut_surface() {
   return c;
 }
 
-// r ||d||: what D - (c, d) may be at most.
+// Returns r ||d||, which is what D - (c, d) may be at most.
 template <int D>
 Rational farthest_offset(const gen::SurfaceInHalfSpace<D>& c) {
   return c.scale * squared_norm(c.half_space.normal);
 }
 
-// The same surface with a half-space at a given D - (c, d).
+// Returns the same surface with a half-space at a given D - (c, d).
 template <int D>
 gen::SurfaceInHalfSpace<D> at_offset(gen::SurfaceInHalfSpace<D> c, const Rational& from_center) {
   c.half_space.offset = from_center + dot(c.surface.center, c.half_space.normal);
@@ -65,7 +65,7 @@ void half_space_hypotheses_need_each_part(Suite& t) {
                   cuts_cap(c.surface, at_offset<d>(c, e).half_space) == verdict_of(e <= most));
       const auto beyond = at_offset<d>(c, most + amount);
       RC_ASSERT(meets(beyond.surface, beyond.half_space) == Verdict::fails);
-      // At the rim the scale and the cosine are at their ends: 1 and -1.
+      // At the rim the cosine is at its ends, 1 and -1.
       RC_ASSERT(cap_of_half_space(c.surface, at_offset<d>(c, most).half_space, c.scale).cap.cos_angle == Rational(1));
       RC_ASSERT(cap_of_half_space(c.surface, at_offset<d>(c, -most).half_space, c.scale).cap.cos_angle == Rational(-1));
     });
@@ -156,7 +156,7 @@ void cap_hypotheses_need_each_part(Suite& t) {
   });
 }
 
-// Each statement beside the booleans of its words, on half-spaces, caps and points that need not belong together.
+// Compares each statement with the booleans of its words, on half-spaces, caps and points that need not belong together.
 void statements_say_their_words(Suite& t) {
   t.holds("the definitions agree on a point if both of their inequalities hold, or none", {.number_type = "rational"}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
@@ -201,7 +201,8 @@ void statements_say_their_words(Suite& t) {
   });
 }
 
-// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+// Checks statements with intervals that cannot decide one part alone. In exact numbers a true statement could lose that part
+// unseen.
 void undecided_parts_are_not_lost(Suite& t) {
   t.example("what an interval cannot decide of one part of a conclusion, it cannot decide of the statement", {}, [] {
     using Point = Vec<Interval, 2>;
@@ -214,8 +215,8 @@ void undecided_parts_are_not_lost(Suite& t) {
     const auto of_cap = [&](const Interval& cosine, const Point& x) {
       return cap_is_half_space_repaired<Interval, 2>({origin, right, cosine}, x);
     };
-    return Checked(of_half_space(about_one, left) == Verdict::undecided &&     // whether there is an angle
-                       of_half_space(about_zero, up) == Verdict::undecided &&  // whether the point is in both
+    return Checked(of_half_space(about_one, left) == Verdict::undecided &&     // This asks whether there is an angle.
+                       of_half_space(about_zero, up) == Verdict::undecided &&  // This asks whether the point is in both.
                        of_half_space(about_zero, left) == Verdict::holds && of_cap(about_one, left) == Verdict::undecided &&
                        of_cap(about_zero, up) == Verdict::undecided && of_cap(about_zero, far_up) == Verdict::holds &&
                        of_cap(about_zero, left) == Verdict::holds,
@@ -223,7 +224,7 @@ void undecided_parts_are_not_lost(Suite& t) {
   });
 }
 
-// Wrong witnesses, each of them wrong in one part and right in all others.
+// Checks wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
   t.holds("a cap that is wrong in one part is rejected", {.number_type = "rational", .cases = 2000}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
@@ -234,7 +235,7 @@ void checks_need_each_part(Suite& t) {
       const auto made_at = [&](const Rational& e, const Rational& scale) {
         c = at_offset<d>(c, e);
         auto witness = cap_of_half_space(c.surface, c.half_space, scale);
-        witness.cap.cos_angle = scale * e / c.surface.squared_radius;  // not raised to -1
+        witness.cap.cos_angle = scale * e / c.surface.squared_radius;  // It is not raised to -1.
         return witness;
       };
       const auto verdict = [&](const CapOfHalfSpace<Rational, d>& w) { return is_cap_of_half_space(c.surface, c.half_space, w); };
@@ -243,22 +244,24 @@ void checks_need_each_part(Suite& t) {
       auto w = made_at(part == 2 ? Rational(most + amount) : part == 3 ? Rational(-most - amount) : inside, c.scale);
       if (part != 2 && part != 3) RC_ASSERT(verdict(w) == Verdict::holds);
       RC_TAG(part);
-      if (part == 0) w = made_at(inside, -c.scale);                          // the sign of the scale
-      if (part == 1) w = made_at(inside, c.scale / (Rational(1) + amount));  // the radius
-      if (part == 4) {                                                       // the center
+      if (part == 0) w = made_at(inside, -c.scale);                          // The sign of the scale is wrong.
+      if (part == 1) w = made_at(inside, c.scale / (Rational(1) + amount));  // The radius is wrong.
+      if (part == 4) {                                                       // The center is wrong.
         Vector shift = Vector::Zero();
         shift[i] = amount;
         w.cap.center += shift, w.cap.apex += shift;
       }
-      if (part == 5) {  // the apex
+      if (part == 5) {  // The apex is wrong.
         RC_PRE(w.cap.apex[i] != w.cap.center[i]);
         w.cap.apex[i] = Rational(2) * w.cap.center[i] - w.cap.apex[i];
       }
-      if (part == 6) {  // the cosine, of a narrower cap
+      // The cosine is that of a narrower cap.
+      if (part == 6) {
         RC_PRE(w.cap.cos_angle < Rational(1));
         w.cap.cos_angle += (Rational(1) - w.cap.cos_angle) / (Rational(1) + amount);
       }
-      if (part == 7) {  // and of a wider one, up to the whole surface
+      // The cosine is that of a wider cap, up to the whole surface.
+      if (part == 7) {
         RC_PRE(w.cap.cos_angle > Rational(-1));
         w.cap.cos_angle -= (Rational(1) + w.cap.cos_angle) / (amount > Rational(1) ? amount : Rational(1));
       }
@@ -353,7 +356,7 @@ void repaired_statements_hold(Suite& t) {
                 RC_ASSERT(cap_is_half_space_repaired(c.cap, x) == Verdict::holds);
                 RC_ASSERT((contains(c.cap, x) == contains(made.half_space, x)));
               }
-              // And back: the same cap.
+              // The way back leads to the same cap.
               const SquaredBall<Rational, d> surface{c.cap.center, squared_radius(c.cap)};
               const auto back = cap_of_half_space(surface, made.half_space, Rational(1));
               RC_ASSERT(back.cap.apex == c.cap.apex);

@@ -19,7 +19,7 @@ Vec<Rational, D> blend(const gen::ScaledHull<D>& hull) {
   return combine<Rational, D>(hull.weights, hull.vectors);
 }
 
-// The blend is 0 or one of the vectors, or there is but one.
+// Says whether the blend is 0 or one of the vectors, or there is but one.
 template <int D>
 bool is_degenerate(const gen::ScaledHull<D>& hull) {
   bool weight_vertex = false;
@@ -34,7 +34,7 @@ const auto keeps_rays = [](const auto& vectors, const auto& factors, const auto&
   return normalisation_keeps_rays_repaired(vectors, factors, weights);
 };
 
-// Three or four vectors, so that there is an element between the first and the last.
+// Draws three or four vectors, so that there is an element between the first and the last.
 template <int D>
 gen::ScaledHull<D> hull_of_several() {
   gen::ScaledHull<D> hull{*gen::sphere_points<D>(3, 4).as("units"), {}, {}};
@@ -82,7 +82,7 @@ void hypotheses_need_each_part(Suite& t) {
     const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
     const int kind = *rc::gen::inRange(0, 3).as("kind");
     lengths[k] = kind == 0 ? Rational(lengths[k] * factor) : kind == 1 ? Rational(lengths[k] / factor) : Rational(-lengths[k]);
-    // What the lengths are for: that the divided vectors are units.
+    // The lengths are to make the divided vectors units.
     const auto units = divided(hull.vectors, lengths);
     return Violation{are_lengths(hull.vectors, lengths), are_positive(lengths) & equal(squared_norm(units[k]), Rational(1))};
   });
@@ -123,7 +123,8 @@ void hypotheses_need_each_part(Suite& t) {
           });
 }
 
-// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+// Checks statements with intervals that cannot decide one part alone. In exact numbers a true statement could lose that part
+// unseen.
 void undecided_parts_are_not_lost(Suite& t) {
   t.example("what an interval cannot decide of one way between the hulls, it cannot decide of both", {}, [] {
     const auto verdict = [](const std::vector<Rational>& vectors, const std::vector<Rational>& factors,
@@ -168,7 +169,7 @@ void weights_of_a_ray_need_each_part(Suite& t) {
     const auto k = *rc::gen::inRange<std::size_t>(0, 4).as("which");
     auto one_negative = weights;
     one_negative[(k + 1) % 4] += one_negative[k] + Rational(1);
-    one_negative[k] = -1;  // the sum is kept
+    one_negative[k] = -1;  // The sum is kept.
     RC_ASSERT(weights_on_same_ray(one_negative, ones).verdict == Verdict::fails);
     for (auto& w : weights) w = -w;
     RC_ASSERT(weights_on_same_ray(weights, ones).verdict == Verdict::fails);
@@ -189,25 +190,29 @@ void rays_and_rotations_need_each_part(Suite& t) {
       const Rational amount = *gen::positive_rational().as("amount");
       const int part = *rc::gen::inRange(0, 5).as("part");
       RC_TAG(part);
-      if (part == 0) {  // the sign of the scale: the opposite hull
+      // The sign of the scale is wrong: the hull is the opposite one.
+      if (part == 0) {
         for (auto& p : to) p = -p;
         w.scale = -w.scale;
       }
-      if (part == 1) {  // one coordinate of one of the vectors that take part
+      // One coordinate of one of the vectors that take part is wrong.
+      if (part == 1) {
         const auto k = *rc::gen::inRange<std::size_t>(0, to.size()).as("which");
         RC_PRE(w.weights[k] > Rational(0));
         to[k][*rc::gen::inRange(0, int(d)).as("coordinate")] += amount;
       }
-      if (part == 2) {  // a negative weight that makes the same blend: of two equal vectors
+      // A negative weight makes the same blend of two equal vectors.
+      if (part == 2) {
         to.push_back(to[0]);
         w.weights.push_back(-amount);
         w.weights[0] += amount;
       }
-      if (part == 3) {  // a weight too many, or too few
+      // There is a weight too many, or too few.
+      if (part == 3) {
         if (*rc::gen::arbitrary<bool>().as("too many")) w.weights.push_back(Rational(0));
         else to.push_back(to[0]);
       }
-      if (part == 4) {  // a scale of 0, where the blend is 0
+      if (part == 4) {  // The scale is 0, where the blend is 0.
         RC_PRE(squared_norm(blend(hull)) == Rational(0));
         w.scale = 0;
       }

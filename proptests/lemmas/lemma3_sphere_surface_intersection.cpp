@@ -14,14 +14,14 @@ namespace {
 
 using namespace refitlab;
 
-// A zero radius, a common center, a point on both surfaces, or a plane through the center.
+// Says whether there is a zero radius, a common center, a point on both surfaces, or a plane through the center.
 template <int D>
 bool is_degenerate(const gen::SurfaceAndBall<D>& c) {
   return c.surface.squared_radius == Rational(0) || c.ball.squared_radius == Rational(0) || c.surface.center == c.ball.center ||
          on_surface(c.ball, c.point) == Verdict::holds || intersection_offset(c.surface, c.ball) == Rational(0);
 }
 
-// The paper's surface has the center 0 and the radius 1.
+// Returns the case with the paper's surface, which has the center 0 and the radius 1.
 template <int D>
 gen::SurfaceAndBall<D> about_origin(const gen::SurfaceAndBall<D>& c) {
   return {{gen::RationalVec<D>::Zero(), Rational(1)}, c.ball, c.point};
@@ -35,7 +35,7 @@ const auto is_outside = [](const auto& surface, const auto& ball) {
   return !contains(intersection_cap(surface, ball).half_space, surface.center);
 };
 
-// A surface and a ball about different centers, with r_a > 0.
+// Draws a surface and a ball about different centers, with r_a > 0.
 template <int D>
 gen::SurfaceAndBall<D> eccentric() {
   const auto c = *gen::surface_and_ball<D>().as("case");
@@ -46,7 +46,7 @@ gen::SurfaceAndBall<D> eccentric() {
 void hypotheses_need_each_part(Suite& t) {
   t.holds("a surface meets a ball from |delta - r_a| = r_b on", {.number_type = "rational"}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
-      // All of them on one line through a, so that no root is needed.
+      // All of them are on one line through a, so that no root is needed.
       const auto a = *gen::rational_vector<d>().as("center");
       const auto u = *gen::sphere_point<d>().as("direction");
       const Rational radius = abs(*gen::rational().as("radius")), delta = abs(*gen::rational().as("distance"));
@@ -84,8 +84,8 @@ void hypotheses_need_each_part(Suite& t) {
   });
   needs_part_in<1, 4>(t, "the ball meets the surface", [](auto d) {
     auto c = eccentric<d>();
-    // Inside or beyond: less than the squared distance of the nearest point, which is at least the lower end of its
-    // root.
+    // The ball is inside or beyond: its squared radius is less than the squared distance of the nearest point, which is at least
+    // the lower end of its root.
     const Rational delta2 = squared_distance(c.surface.center, c.ball.center);
     c.ball.squared_radius = sq(Rational(delta2 - c.surface.squared_radius)) / (Rational(4) * (delta2 + c.surface.squared_radius));
     RC_PRE(delta2 != c.surface.squared_radius);
@@ -104,7 +104,7 @@ void hypotheses_need_each_part(Suite& t) {
   needs_part_in<1, 4>(t, "of the distance: e >= 0", [](auto d) {
     auto c = eccentric<d>();
     c.ball.squared_radius = c.surface.squared_radius + squared_distance(c.surface.center, c.ball.center);
-    // e = 0: the center is in the plane, and the distance 0.
+    // Here e = 0: the center is in the plane, and the distance is 0.
     const auto at_center = nearest_point_of_intersection_cap(c.surface, c.ball);
     RC_ASSERT(at_center.verdict == Verdict::holds && at_center.squared_distance == Rational(0));
     RC_ASSERT(center_is_outside_half_space(c.surface, c.ball) == Verdict::fails);
@@ -129,7 +129,7 @@ void printed_hypotheses_need_each_part(Suite& t) {
       none.ball.center = gen::RationalVec<d>::Zero();
       RC_ASSERT(intersection_distance_printed(none.ball) == Verdict::holds);
       auto wide = c;
-      // About 0, where no distance is defined, and so large that 0 is inside H.
+      // A ball about 0 has no distance, and these are so large that 0 is inside H.
       for (const Rational& r2 : {Rational(1), Rational(1 + amount), Rational(2 + squared_norm(c.ball.center))}) {
         wide.ball.squared_radius = r2;
         RC_ASSERT(intersection_distance_printed(wide.ball) == Verdict::holds);
@@ -167,7 +167,8 @@ void statements_say_their_words(Suite& t) {
   });
 }
 
-// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+// Checks statements with intervals that cannot decide one part alone. In exact numbers a true statement could lose that part
+// unseen.
 void undecided_parts_are_not_lost(Suite& t) {
   t.example("what an interval cannot decide of one part of a conclusion, it cannot decide of the statement", {}, [] {
     using Point = Vec<Interval, 2>;
@@ -177,18 +178,20 @@ void undecided_parts_are_not_lost(Suite& t) {
     const SquaredBall<Interval, 2> touching{Point(Interval(2), zero), about_one};
     const SquaredBall<Interval, 2> through_top{Point(Interval(2), zero), about_five};
     const SquaredBall<Interval, 2> third{Point(Interval(3), zero), lift<Interval>(Rational(1, 3))};
-    return Checked(intersection_is_cap_repaired(circle, touching, left) == Verdict::undecided &&  // whether they meet
+    // This asks whether they meet.
+    return Checked(intersection_is_cap_repaired(circle, touching, left) == Verdict::undecided &&
                        intersection_is_cap_repaired(circle, through_top, up) == Verdict::undecided &&
                        intersection_is_cap_repaired(circle, through_top, left) == Verdict::holds &&
                        intersection_is_cap_printed(circle, through_top, up) == Verdict::undecided &&
                        intersection_is_cap_printed(circle, through_top, left) == Verdict::holds &&
-                       intersection_distance_repaired(circle, third) == Verdict::undecided &&  // equality of the distance
+                       // This asks whether the distance is equal.
+                       intersection_distance_repaired(circle, third) == Verdict::undecided &&
                        intersection_distance_printed(third) == Verdict::undecided,
                    7);
   });
 }
 
-// Wrong witnesses, each of them wrong in one part and right in all others.
+// Checks wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
   t.holds("a half-space that is wrong in one coordinate or at the origin alone is rejected", {.number_type = "rational"}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
@@ -196,10 +199,12 @@ void checks_need_each_part(Suite& t) {
       const Rational amount = *gen::positive_rational().as("amount");
       const int i = *rc::gen::inRange(0, int(d)).as("coordinate");
       auto coordinate = intersection_cap(c.surface, c.ball), origin = coordinate;
-      coordinate.half_space.normal[i] += amount;  // right at the origin and at the other coordinate vectors
+      // It is right at the origin and at the other coordinate vectors.
+      coordinate.half_space.normal[i] += amount;
       RC_PRE(is_half_space(coordinate.half_space) == Verdict::holds);
       RC_ASSERT(is_intersection_cap(c.surface, c.ball, coordinate) == Verdict::fails);
-      origin.half_space.offset += amount;  // right at all of the coordinate vectors
+      // It is right at all of the coordinate vectors.
+      origin.half_space.offset += amount;
       for (int k = 0; k < int(d); ++k) origin.half_space.normal[k] += amount;
       RC_PRE(is_half_space(origin.half_space) == Verdict::holds);
       RC_ASSERT(is_intersection_cap(c.surface, c.ball, origin) == Verdict::fails);
@@ -220,15 +225,18 @@ void checks_need_each_part(Suite& t) {
       const Rational square = squared_norm(way);
       through(way);
       RC_ASSERT(verdict(way, square) == Verdict::holds);
-      RC_ASSERT(verdict(way, square + amount) == Verdict::fails && verdict(way, square / 2) == Verdict::fails);  // the distance
-      const Vector farther = way * Rational(2), nearer = way / Rational(2);  // not in the plane
+      // The distance is wrong.
+      RC_ASSERT(verdict(way, square + amount) == Verdict::fails && verdict(way, square / 2) == Verdict::fails);
+      // These are not in the plane.
+      const Vector farther = way * Rational(2), nearer = way / Rational(2);
       RC_ASSERT(verdict(farther, squared_norm(farther)) == Verdict::fails);
       RC_ASSERT(verdict(nearer, squared_norm(nearer)) == Verdict::fails);
       through(-way);  // behind
       RC_ASSERT(verdict(-way, square) == Verdict::fails);
       through(none);  // in the plane
       RC_ASSERT(verdict(none, Rational(0)) == Verdict::holds);
-      if constexpr (d > 1) {  // another point of the plane: aside along one coordinate, with a normal along another
+      // This is another point of the plane: aside along one coordinate, with a normal along another.
+      if constexpr (d > 1) {
         const int j = (i + *rc::gen::inRange(1, int(d)).as("other coordinate")) % d;
         h.normal = Vector::Zero();
         h.normal[i] = amount;
@@ -237,7 +245,7 @@ void checks_need_each_part(Suite& t) {
         through(aside);
         RC_ASSERT(verdict(aside, squared_norm(aside)) == Verdict::fails);
       }
-      h = {none, Rational(0)};  // no half-space
+      h = {none, Rational(0)};  // There is no half-space.
       RC_ASSERT(verdict(none, Rational(0)) == Verdict::fails);
     });
   });
@@ -363,7 +371,8 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
         case 0: wrong.foot += shift; break;
         case 1: wrong.squared_distance += amount; break;
         case 2: wrong.squared_distance -= amount; break;
-        default:  // another point of the plane, with its own distance
+        // This is another point of the plane, with its own distance.
+        default:
           if constexpr (d == 1) {
             wrong.foot += shift;
           } else {

@@ -14,7 +14,7 @@ namespace {
 
 using namespace refitlab;
 
-// The blend is 0 or one of the vectors, the plane passes through 0, or the ball's radius or center is 0.
+// Says whether the blend is 0 or one of the vectors, the plane passes through 0, or the ball's radius or center is 0.
 template <int D>
 bool is_degenerate(const gen::EnclosedHull<D>& hull) {
   bool weight_vertex = false;
@@ -30,13 +30,14 @@ const auto direction_enclosed = [](const auto& ball, const auto& units, const au
 const auto rotation_enclosed = [](const auto& ball, const auto& blend) { return rotation_is_enclosed(ball, blend); };
 const auto keeps_hulls = [](const auto& ball) { return ball_keeps_hulls(ball); };
 
-// Three or four unit vectors in a ball that bounds hulls, so that there is one between the first and the last.
+// Draws three or four unit vectors in a ball that bounds hulls, so that there is one between the first and the last.
 template <int D>
 gen::EnclosedHull<D> several_enclosed() {
   gen::EnclosedHull<D> hull;
   hull.units = *gen::sphere_points<D>(3, 4).as("units");
   hull.weights = *gen::convex_weights(static_cast<int>(hull.units.size())).as("weights");
-  for (auto& n : hull.units)  // on one side, so that a small ball holds them
+  // They are on one side, so that a small ball holds them.
+  for (auto& n : hull.units)
     if (dot(n, hull.units[0]) < Rational(0)) n = -n;
   hull.ball.center = (hull.units[0] + hull.units[1] + hull.units[2]) / Rational(3);
   for (const auto& n : hull.units)
@@ -45,7 +46,7 @@ gen::EnclosedHull<D> several_enclosed() {
   return hull;
 }
 
-// The weights of the blend, or all of the weight on one vector.
+// Returns the weights of the blend, or all of the weight on one vector.
 template <int D>
 std::vector<Rational> weights_towards(const gen::EnclosedHull<D>& hull, std::size_t k) {
   if (*rc::gen::arbitrary<bool>().as("the hull's weights")) return hull.weights;
@@ -54,7 +55,7 @@ std::vector<Rational> weights_towards(const gen::EnclosedHull<D>& hull, std::siz
   return weights;
 }
 
-// A case that the statements say nothing of.
+// Asserts that the statements say nothing of a case.
 template <int D>
 void says_nothing(const gen::EnclosedHull<D>& hull, const std::vector<Rational>& weights) {
   RC_ASSERT(hull_stays_in_cap_repaired(hull.ball, hull.units, weights) == Verdict::holds);
@@ -154,7 +155,7 @@ void hypotheses_hold_up_to_their_edges(Suite& t) {
       auto hull = *gen::enclosed_hull<d>().as("case");
       RC_ASSERT(hull_hypotheses_printed(hull.ball, hull.units, hull.weights) ==
                 verdict_of(hull.ball.squared_radius < Rational(1)));
-      // At 1 a blend may be 0: of two opposite vectors about the origin.
+      // At 1 a blend may be 0, namely that of two opposite vectors about the origin.
       const VecList<Rational, d> opposite{hull.units[0], -hull.units[0]};
       const SquaredBall<Rational, d> unit{gen::RationalVec<d>::Zero(), Rational(1)};
       RC_ASSERT(hull_hypotheses_printed(unit, opposite, lemma4::halves) == Verdict::fails);
@@ -164,7 +165,8 @@ void hypotheses_hold_up_to_their_edges(Suite& t) {
   });
 }
 
-// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+// Checks statements with intervals that cannot decide one part alone. In exact numbers a true statement could lose that part
+// unseen.
 void undecided_parts_are_not_lost(Suite& t) {
   t.example("what an interval cannot decide of one part of a conclusion, it cannot decide of the statement", {}, [] {
     using Point = Vec<Interval, 2>;
@@ -204,7 +206,8 @@ void checks_need_each_part(Suite& t) {
                                HullElement<Rational, d>{Verdict::holds, blend, dot(blend, ball.center)});
       };
       const SquaredBall<Rational, d> point{u, Rational(0)}, opposite{-u, Rational(0)}, origin{Vector::Zero(), Rational(1)};
-      RC_ASSERT(verdict(point, u, u) == Verdict::holds);                    // with equality in the length and in the offset
+      // Both the length and the offset hold with equality.
+      RC_ASSERT(verdict(point, u, u) == Verdict::holds);
       RC_ASSERT(verdict(point, u * longer, u * longer) == Verdict::fails);  // the length
       RC_ASSERT(verdict(opposite, u, u) == Verdict::fails);                 // the offset
       Vector mirrored = u;
@@ -255,7 +258,7 @@ void repaired_statements_hold(Suite& t) {
               RC_CLASSIFY(is_degenerate<d>(hull), "degenerate");
               RC_ASSERT(are_units_enclosed(hull.ball, hull.units) == Verdict::holds);
               RC_ASSERT(hull_stays_in_cap_repaired(hull.ball, hull.units, hull.weights) == Verdict::holds);
-              // c != 0 need not be asked for.
+              // The hypothesis c != 0 is not needed.
               if (scaled_distance(hull.ball.center, hull.ball.squared_radius) > Rational(0))
                 RC_ASSERT(hull.ball.center != gen::RationalVec<d>::Zero());
               if (ball_keeps_hulls(hull.ball) != Verdict::holds) return;
@@ -280,7 +283,8 @@ void repaired_statements_hold(Suite& t) {
               RC_ASSERT(ball_keeps_hulls(ball) == Verdict::fails);
               RC_ASSERT(hull_element(ball, units, halves).verdict == Verdict::fails);
               RC_ASSERT(is_hull_element(ball, units, halves, hull_element(ball, units, halves)) == Verdict::fails);
-              RC_ASSERT(hull_stays_in_cap_repaired(ball, units, halves) == Verdict::holds);  // says nothing of it
+              // It says nothing of such a ball.
+              RC_ASSERT(hull_stays_in_cap_repaired(ball, units, halves) == Verdict::holds);
               RC_ASSERT(rotations_stay_in_cap_repaired(ball, units, halves) == Verdict::holds);
             });
           });

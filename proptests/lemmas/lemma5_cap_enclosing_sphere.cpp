@@ -21,13 +21,13 @@ bool is_degenerate(const Cap<Rational, D>& cap) {
 const auto encloses_repaired = [](const auto& cap, const auto& x) { return encloses(cap_ball_repaired(cap), x); };
 const auto encloses_printed = [](const auto& cap, const auto& x) { return encloses(cap_ball_printed(cap), x); };
 
-// The paper's cap has the center 0.
+// Returns the cap moved to the center 0, where the paper has it.
 template <int D>
 gen::CapPoint<D> about_origin(const gen::CapPoint<D>& c) {
   return {{gen::RationalVec<D>::Zero(), c.cap.apex - c.cap.center, c.cap.cos_angle}, c.point - c.cap.center};
 }
 
-// A cap with r > 0 and an angle strictly between 0 and pi/2.
+// Draws a cap with r > 0 and an angle strictly between 0 and pi/2.
 template <int D>
 gen::RimmedCap<D> narrow_cap() {
   const auto c = *gen::rimmed_cap<D>().as("cap");
@@ -43,7 +43,8 @@ void rim_hypotheses_need_each_part(Suite& t) {
     auto c = narrow_cap<d>();
     const auto tilt = *gen::cap_angle().as("tilt");
     RC_PRE(tilt.cosine != Rational(0));
-    c.rim_direction = (c.cap.apex - c.cap.center) * tilt.cosine + c.rim_direction * tilt.sine;  // as long
+    // The direction is as long.
+    c.rim_direction = (c.cap.apex - c.cap.center) * tilt.cosine + c.rim_direction * tilt.sine;
     return Violation{is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
   });
   needs_part_in<2, 4>(t, "v is as long as the axis, not longer and not shorter", [=](auto d) {
@@ -65,7 +66,7 @@ void rim_hypotheses_need_each_part(Suite& t) {
     RC_ASSERT(cap_has_points(c.cap) == Verdict::holds);
     c.cap.cos_angle += *gen::positive_rational().as("amount");
     const auto made = smallest_cap_ball(c.cap, c.sine, c.rim_direction);
-    // A cap of no radius too.
+    // A cap of no radius is rejected, too.
     const Cap<Rational, d> no_radius{c.cap.center, c.cap.center, c.cap.cos_angle};
     const gen::RationalVec<d> none = gen::RationalVec<d>::Zero();
     RC_ASSERT(smallest_cap_ball(no_radius, Rational(0), none).verdict == Verdict::fails);
@@ -105,7 +106,7 @@ void cap_hypotheses_need_each_part(Suite& t) {
       const Rational cosine = *rc::gen::oneOf(rc::gen::element(Rational(1), Rational(-1)), gen::rational()).as("cosine");
       c.cap.cos_angle = cosine;
       RC_ASSERT(cap_ball_hypotheses_printed(c.cap) == verdict_of(abs(cosine) <= Rational(1)));
-      c.cap.cos_angle = Rational(-1) - *gen::positive_rational().as("amount");  // its ball has no real radius
+      c.cap.cos_angle = Rational(-1) - *gen::positive_rational().as("amount");  // Its ball has no real radius.
       RC_ASSERT(cap_ball_encloses_printed(c.cap, c.point) == Verdict::holds);
     });
   });
@@ -133,7 +134,7 @@ void cap_hypotheses_need_each_part(Suite& t) {
   });
 }
 
-// Wrong witnesses, each of them wrong in one part and right in all others.
+// Checks wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
   t.holds("a ball about another cross-section of the sphere misses a part of the cap", {.number_type = "rational"}, [] {
     gen::for_some_dimension<2, 4>([](auto d) {
@@ -253,7 +254,7 @@ void repaired_ball_is_the_smallest(Suite& t) {
               const SquaredBall<Rational, d> other{*gen::rational_vector<d>().as("center of another ball"),
                                                    *gen::rational().as("its squared radius")};
               RC_ASSERT(no_other_ball_that_small(smallest, other) == Verdict::holds);
-              // The tightest ball about the other center, and the smallest about its own.
+              // This is the tightest ball about the other center, beside the smallest one about its own.
               const Rational needed =
                   max_of(squared_distance(other.center, smallest.first), squared_distance(other.center, smallest.second));
               RC_ASSERT(no_other_ball_that_small(smallest, {other.center, needed}) == Verdict::holds);
@@ -313,7 +314,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
       auto bad = smallest_cap_ball(c.cap, c.sine, c.rim_direction);
       const Rational height = *gen::rational().as("height");
       RC_PRE(height != bad.height);
-      // Consistent in itself: an enclosing ball about another point of the axis.
+      // The ball is consistent in itself: it encloses, about another point of the axis.
       const Rational r2 = squared_radius(c.cap);
       bad.height = height;
       bad.ball.center = c.cap.center + (c.cap.apex - c.cap.center) * height;

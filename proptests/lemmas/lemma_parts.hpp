@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two tests of one part of a hypothesis (one sign, one element of a list, one side of an inequality): without it
-// another theorem would be stated, and a false one.
+// Two tests look at one part of a hypothesis (one sign, one element of a list, one side of an inequality). Without it another
+// theorem would be stated, and a false one.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace proptests {
 
-// What a case that violates one part of a hypothesis, and no other, makes of the theorem.
+// Says what a case that violates one part of a hypothesis, and no other, makes of the theorem.
 struct Violation {
   refitlab::Verdict hypothesis, conclusion;
 };
 
-// draw() makes a Violation of that part. The hypothesis must refuse all of them, and the conclusion must fail for some;
-// the tag says for what share of the cases.
+// Tests that the hypothesis refuses all of the Violations of that part that draw() makes, and that the conclusion fails for some.
+// The tag says for what share of the cases.
 template <class Draw>
 void needs_part(Suite& t, const std::string& part, const Draw& draw, int cases = 200) {
   using refitlab::Verdict;
@@ -31,7 +31,7 @@ void needs_part(Suite& t, const std::string& part, const Draw& draw, int cases =
             [draw] { RC_ASSERT(draw().conclusion == Verdict::holds); });
 }
 
-// The same of a theorem of R^d: draw(d) makes the Violation in one of R^low ... R^high, which is drawn for each case.
+// Tests the same of a theorem of R^d: draw(d) makes the Violation in one of R^low ... R^high, which is drawn for each case.
 template <int low, int high, class Draw>
 void needs_part_in(Suite& t, const std::string& part, const Draw& draw, int cases = 200) {
   const auto in_some_dimension = [draw] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ball around all images of a vector under a hull of quaternions.
+// Tests the ball around all images of a vector under a hull of quaternions.
 #include "lemmas/rotation_bound.hpp"
 
 #include <random>
@@ -24,11 +24,12 @@ struct Hull {
   RationalQuaternion direction;
 };
 
-// Directions as refits choose them (the mean), one of the quaternions, and any.
+// Draws a hull with a direction as refits choose it (the mean), one of the quaternions, or any.
 Hull draw(int most) {
   Hull h;
   h.unit = *gen::unit_quaternions(1, most);
-  if (*rc::gen::inRange(0, 3) == 0)  // within a half-sphere, so that there is something to bound
+  // They are within a half-sphere, so that there is something to bound.
+  if (*rc::gen::inRange(0, 3) == 0)
     for (auto& q : h.unit)
       if (dot(q, h.unit[0]) < 0) q = -q;
   const int kind = *rc::gen::inRange(0, 4);
@@ -39,11 +40,11 @@ Hull draw(int most) {
   return h;
 }
 
-// The bound of the images of x without a root, from the lemmas: kappa^2 is rational, and so are the apex's image and
-// the squared radius.
+// Returns the bound of the images of x without a root, from the lemmas: kappa^2 is rational, and so are the apex's image and the
+// squared radius.
 SquaredBall<Rational, 3> ball_from_lemmas(const Hull& h, const RationalVec<3>& x) {
   const std::span<const RationalQuaternion> unit(h.unit);
-  for (const auto& q : h.unit)  // also where the direction is 0
+  for (const auto& q : h.unit)  // This holds also where the direction is 0.
     if (dot(q, h.direction) <= 0) return {RationalVec<3>::Zero(), squared_norm(x)};
   const RationalVec<3> apex = rotate_scaled<Rational>(h.direction, x) / squared_norm(h.direction);
   const Rational cosine = Rational(2) * squared_cap_cosine(unit, h.direction) - Rational(1);
@@ -56,7 +57,7 @@ Ball3<S> ball_from_bound(const Hull& h, const RationalVec<3>& x) {
   return rotated_ball<S>(bound_rotations<S>(unit, lift<S>(h.direction)), lift<S>(x));
 }
 
-// No member of the one ball differs for sure from the other ball. Certain equality for an exact S.
+// Says whether no number of the one ball differs for sure from the other ball's. For an exact S this is certain equality.
 template <class S>
 Verdict same(const Ball3<S>& ball, const SquaredBall<Rational, 3>& other) {
   Verdict v = equal(sq(ball.radius), lift<S>(other.squared_radius));
@@ -73,7 +74,7 @@ bool is_degenerate(const Hull& h) {
   return degenerate;
 }
 
-// sin alpha of a rotation bound from the smallest dot product d = <n, a>, as lines 13 and 15 compute it.
+// Returns sin alpha of a rotation bound from the smallest dot product d = <n, a>, as lines 13 and 15 compute it.
 float sine_by_dot(std::span<const Quaternion<float>> unit, const Quaternion<float>& apex) {
   float d = 1;
   for (const auto& q : unit) d = std::min(d, dot(q, apex));

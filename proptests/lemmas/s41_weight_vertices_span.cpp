@@ -24,7 +24,7 @@ bool is_degenerate(const gen::WeightPolytope& b, const Weights& w) {
   return is_degenerate(b) || std::find(b.vertices.begin(), b.vertices.end(), w) != b.vertices.end();
 }
 
-// Bounds of three or four weights with at least three weight vertices, so that there is one between the first and the last.
+// Draws bounds of three or four weights with at least three weight vertices, so that there is one between the first and the last.
 gen::WeightPolytope several_weight_vertices() {
   const int n = *rc::gen::element(3, 4).as("weights");
   const Weights w = *gen::convex_weights(n).as("between the bounds");
@@ -37,7 +37,7 @@ gen::WeightPolytope several_weight_vertices() {
 
 std::size_t place_in(std::size_t size) { return *rc::gen::inRange<std::size_t>(0, size).as("place"); }
 
-// All of the weight on one of so many.
+// Returns all of the weight on one of so many.
 Weights only(std::size_t k, std::size_t size) {
   Weights u(size, Rational(0));
   u[k] = 1;
@@ -67,7 +67,7 @@ void hypotheses_need_each_part(Suite& t) {
     const Rational way =
         kind == 0 ? Rational(b.bounds.high[i] - outside[i] + amount) : Rational(b.bounds.low[i] - outside[i] - amount);
     outside[i] += way;
-    if (kind < 2) outside[(i + 1) % n] -= way;  // else the sum changes
+    if (kind < 2) outside[(i + 1) % n] -= way;  // Otherwise the sum changes.
     weight_vertices.insert(weight_vertices.begin() + static_cast<std::ptrdiff_t>(k), outside);
     RC_ASSERT(weight_vertices_are_admissible(b.bounds, weight_vertices) == Verdict::fails);
     RC_ASSERT(weight_vertices_are_complete(b.bounds, weight_vertices) == Verdict::holds);
@@ -90,8 +90,7 @@ void hypotheses_need_each_part(Suite& t) {
 
 void bounds_and_lists_need_each_part(Suite& t) {
   t.holds("bounds of which one pair is crossed are not compatible, and have no weight vertex", {.number_type = "rational"}, [] {
-    // Three pairs at 1/3, and one pair crossed about its place, so that both sums are still on their sides
-    // of 1.
+    // Three pairs of bounds are at 1/3, and one pair is crossed about its place, so that both sums are still on their sides of 1.
     const Rational third(1, 3), amount = *gen::positive_rational().as("amount"), room = Rational(2) * amount;
     const std::size_t i = place_in(3);
     WeightBounds<Rational> bounds{Weights(3, third), Weights(3, third)};
@@ -142,7 +141,7 @@ void bounds_and_lists_need_each_part(Suite& t) {
             const auto k = place_in(twice.size()), place = place_in(twice.size() + 1);
             twice.insert(twice.begin() + static_cast<std::ptrdiff_t>(place), b.vertices[k]);
             RC_ASSERT(weight_vertices_are_proper(b.bounds, twice) == Verdict::fails);
-            Weights middle(b.bounds.low.size(), Rational(0));  // of all weight vertices
+            Weights middle(b.bounds.low.size(), Rational(0));  // It is the mean of all weight vertices.
             for (const auto& c : b.vertices)
               for (std::size_t i = 0; i < c.size(); ++i) middle[i] += c[i] / Rational(static_cast<int>(b.vertices.size()));
             between.insert(between.begin() + static_cast<std::ptrdiff_t>(place), middle);
@@ -157,7 +156,7 @@ void bounds_and_lists_need_each_part(Suite& t) {
   });
 }
 
-// Wrong witnesses, each of them wrong in one part and right in all others.
+// Checks wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
   t.holds("weights are the same if there are as many and every one is equal", {.number_type = "rational"}, [] {
     const Weights w = *gen::convex_weights(*rc::gen::inRange(1, 5).as("weights"));
@@ -174,7 +173,7 @@ void checks_need_each_part(Suite& t) {
             const Weights u = *gen::convex_weights(static_cast<int>(b.vertices.size()));
             Weights w = weight_vertices_combine(b.bounds, b.vertices, u).weights;
             RC_ASSERT(is_weight_vertex_combination(b.vertices, w, u) == Verdict::holds);
-            auto more = b.vertices;  // a weight vertex without a coefficient
+            auto more = b.vertices;  // One weight vertex has no coefficient.
             more.push_back(b.vertices[0]);
             RC_ASSERT(is_weight_vertex_combination(more, w, u) == Verdict::fails);
             const Rational amount = *gen::positive_rational().as("amount");
@@ -249,7 +248,7 @@ void weight_vertices_span_the_admissible_weights(Suite& t) {
     const std::size_t expected[] = {1, 2, 6, 12, 30, 60};
     bool all = true;
     for (int n = 1; n <= 6; ++n) {
-      // Bounds [0, h] with k h < 1 < (k + 1) h, k = floor((n - 1) / 2): k weights at h, one with the rest.
+      // With the bounds [0, h], k h < 1 < (k + 1) h and k = floor((n - 1) / 2), k weights are at h, and one has the rest.
       const int k = (n - 1) / 2;
       const WeightBounds<Rational> bounds{Weights(n, 0), Weights(n, Rational(2, 2 * k + (n == 1 ? 2 : 1)))};
       const auto weight_vertices = *enumerate_weight_vertices(bounds, 1000);
@@ -289,7 +288,8 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict on a combination", {.number_type = "interval", .cases = 300}, [] {
     const auto b = *gen::any_bounds_of_vertices(4);
     Weights w = *gen::admissible_weights(b.bounds);
-    if (*rc::gen::arbitrary<bool>()) w[0] += Rational(1, 64);  // a statement that fails
+    // This statement fails.
+    if (*rc::gen::arbitrary<bool>()) w[0] += Rational(1, 64);
     const auto coefficients = weight_vertices_span(b.bounds, b.vertices, w).coefficients;
     decide_by_all([](const auto& l, const auto& c, const auto& x) { return weight_vertices_span(l, c, x).verdict; }, b.bounds,
                   b.vertices, w);
@@ -312,7 +312,8 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     RC_ASSERT(is_weight_vertex_combination(b.vertices, w, changed) == Verdict::fails);
     longer.push_back(0);
     RC_ASSERT(is_weight_vertex_combination(b.vertices, w, longer) == Verdict::fails);
-    if (good.size() > 1) {  // the same sum of coefficients, another point or a negative coefficient
+    // The sum of coefficients is the same, with another point or a negative coefficient.
+    if (good.size() > 1) {
       negative[k] -= 2;
       negative[(k + 1) % good.size()] += 2;
       RC_ASSERT(is_weight_vertex_combination(b.vertices, w, negative) == Verdict::fails);

@@ -16,7 +16,7 @@ namespace {
 using namespace refitlab;
 using Weights = std::vector<Rational>;
 
-// Weight bounds, their weight vertices, and a point for each weight.
+// Draws weight bounds, their weight vertices, and a point for each weight.
 template <int D>
 struct LinearPart {
   gen::WeightPolytope weights;
@@ -34,7 +34,7 @@ struct LinearPart {
   Weights coefficients() const { return *gen::convex_weights(static_cast<int>(weights.vertices.size())); }
 };
 
-// A linear part of free weights of three or four points: as many weight vertices, so that there is one between the
+// Draws a linear part of free weights of three or four points. It has as many weight vertices, so that there is one between the
 // first and the last.
 struct SeveralWeightVertices {
   gen::WeightPolytope weights;
@@ -96,7 +96,8 @@ void hypotheses_need_each_part(Suite& t) {
   });
 }
 
-// True statements lose a part unseen in exact numbers; an interval that cannot decide that part alone sees it.
+// Checks statements with intervals that cannot decide one part alone. In exact numbers a true statement could lose that part
+// unseen.
 void undecided_parts_are_not_lost(Suite& t) {
   t.example("a blend of points that intervals only enclose is decided for its weights, not for its place", {}, [] {
     const WeightBounds<Interval> free{{Interval(0), Interval(0)}, {Interval(1), Interval(1)}};
@@ -110,7 +111,7 @@ void undecided_parts_are_not_lost(Suite& t) {
   });
 }
 
-// Wrong witnesses, each of them wrong in one part and right in all others.
+// Checks wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
   t.holds("a point of the hull or a blend that is wrong in one coordinate, in either direction, is rejected",
           {.number_type = "rational"}, [] {

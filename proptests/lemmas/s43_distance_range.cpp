@@ -13,7 +13,7 @@ namespace {
 
 using namespace refitlab;
 
-// A center at a rational distance from 0, and a radius of which a third touch the unit sphere from inside or outside.
+// Draws a center at a rational distance from 0, and a radius of which a third touch the unit sphere from inside or outside.
 template <int D>
 struct BallAndSphere {
   Rational length = *gen::positive_rational();
@@ -25,7 +25,7 @@ struct BallAndSphere {
   bool touches() const { return radius == abs(length - 1); }
 };
 
-// Each predicate beside the inequality of its words, which can be read off as the norm of the center is known.
+// Compares each predicate with the inequality of its words, which can be read off as the norm of the center is known.
 void predicates_say_their_words(Suite& t) {
   t.holds("every condition and the range are right up to their edges, and for a radius below 0",
           {.number_type = "rational", .cases = 3000}, [] {
@@ -38,7 +38,7 @@ void predicates_say_their_words(Suite& t) {
             const Rational r =
                 *rc::gen::oneOf(rc::gen::element(zero, one, near, Rational(-near), far, Rational(-far)), gen::rational())
                      .as("radius");
-            // At r^2 = 1 + c^2 too, which has no rational root.
+            // The square is also r^2 = 1 + c^2, which has no rational root.
             const Rational half = one + c * c;
             const Rational square = *rc::gen::element(Rational(r * r), half, Rational(half + 1), Rational(half / 2)).as("r^2");
             const Rational n = half - square;
@@ -64,7 +64,7 @@ void predicates_say_their_words(Suite& t) {
           });
 }
 
-// A ball of at most half of the sphere that holds the unit vector x.
+// Draws a ball of at most half of the sphere that holds the unit vector x.
 template <int D>
 struct BallAndUnit {
   Vec<Rational, D> x = *gen::sphere_point<D>(), center = *gen::nonzero_vector<D>();
@@ -111,7 +111,7 @@ void hypotheses_by_point_need_each_part(Suite& t) {
     return Violation{b.hypotheses(), b.conclusion()};
   });
   t.holds("a vector is a witness of the range only if it is short enough and in the ball", {.number_type = "rational"}, [] {
-    // About a unit vector u, with r = 1: N = 1, so the witness needs 1/2 <= (x, u) <= 1.
+    // For a ball about a unit vector u, with r = 1, N is 1, so the witness needs 1/2 <= (x, u) <= 1.
     const Vec<Rational, 3> u = *gen::sphere_point<3>(), x = u * *gen::rational();
     const Rational along = dot(x, u);
     RC_ASSERT(distance_range_by_point(u, Rational(1), x) == verdict_of(along >= Rational(1, 2) && along <= Rational(1)));
@@ -120,7 +120,7 @@ void hypotheses_by_point_need_each_part(Suite& t) {
   });
 }
 
-// Wrong witnesses, each of them wrong in one part and right in all others.
+// Checks wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
   t.holds("factors of which one is below 0, or whose product is too small or too large, are rejected",
           {.number_type = "rational"}, [] {
@@ -134,7 +134,8 @@ void checks_need_each_part(Suite& t) {
             RC_ASSERT(verdict(product + amount, 1) == Verdict::fails && verdict(1, product + amount) == Verdict::fails);
             if (product > 0) RC_ASSERT(verdict(product / (1 + amount), 1) == Verdict::fails);
             RC_ASSERT(verdict(product, 1) == Verdict::holds);
-            if (product == 0)  // touching: one of them may be anything but negative
+            // They touch, and one of the factors may be anything but negative.
+            if (product == 0)
               RC_ASSERT(verdict(0, -amount) == Verdict::fails && verdict(-amount, 0) == Verdict::fails &&
                         verdict(0, amount) == Verdict::holds);
           });
@@ -200,7 +201,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     decide_by_all([]<class S>(const Vec<S, 4>& c, const S& r) { return distance_range_repaired<S, 4>(c, r); }, b.center,
                   b.radius);
     decide_by_all([]<class S>(const Vec<S, 4>& c, const S& r) { return distance_range_printed<S, 4>(c, r); }, b.center, b.radius);
-    // The range check that arccos relies on.
+    // This is the range check on which arccos relies.
     decide_by_all([]<class S>(const Vec<S, 4>& c, const S& r) { return distance_is_in_range<S, 4>(c, sq(r)); }, b.center,
                   b.radius);
   });

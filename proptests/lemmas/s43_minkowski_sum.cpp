@@ -14,7 +14,7 @@ namespace {
 using namespace refitlab;
 using Point = Vec<Rational, 3>;
 
-// A blend, a ball, a pivot, and a vector no longer than the radius.
+// Draws a blend, a ball, a pivot, and a vector no longer than the radius.
 struct TurnedBall {
   Quaternion<Rational> blend = *gen::nonzero_vector<4>();
   Ball3<Rational> ball{*gen::rational_vector<3>(),
@@ -31,7 +31,7 @@ struct TurnedBall {
   auto summed() const { return sum_in_turned_ball<Rational>(blend, ball, pivot, offset); }
 };
 
-// The relation and the formula of a turn, against the product of quaternions.
+// Returns the turned point by the product of quaternions, for comparison with the relation and the formula of a turn.
 Point by_products(const Quaternion<Rational>& q, const Point& x) {
   const Quaternion<Rational> pure(0, x[0], x[1], x[2]);
   return imaginary(multiply(multiply(q, pure), conjugate(q))) / squared_norm(q);
@@ -67,13 +67,14 @@ void hypotheses_need_each_part(Suite& t) {
   needs_part(t, "the radius is not negative", [] {
     TurnedBall c;
     RC_PRE(c.ball.radius > 0);
-    c.ball.radius = -c.ball.radius;  // its square is as large
+    // Its square is as large.
+    c.ball.radius = -c.ball.radius;
     RC_ASSERT(c.summed().verdict == Verdict::fails);
     return Violation{encloses<Rational, 3>(c.ball, c.ball.center + c.offset), c.turned().verdict};
   });
 }
 
-// Wrong witnesses, each of them wrong in one part and right in all others.
+// Checks wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
   t.holds("a vector is the turned one if it is the product of quaternions, in every coordinate", {.number_type = "rational"}, [] {
     const Quaternion<Rational> q = *gen::nonzero_vector<4>();
@@ -160,7 +161,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     center.turned_center += bump;
     turned.turned_point += bump;
     RC_ASSERT(rejected(offset) && rejected(point) && rejected(center) && rejected(turned));
-    // Both moved alike: the sum is right, the point is not in the ball.
+    // Both are moved alike: the sum is right, but the point is not in the ball.
     auto both = c.turned().witness;
     const Point far = *gen::sphere_point<3>() * (Rational(2) * c.ball.radius + Rational(1));
     both.point += far;

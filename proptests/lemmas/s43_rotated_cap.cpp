@@ -17,7 +17,7 @@ using Vector = Vec<Rational, 3>;
 
 bool is_special(const Rational& cosine) { return cosine == 0 || cosine == 1 || cosine == -1; }
 
-// cosine first + sine second, at an angle from the first direction that is drawn, but at most the given one.
+// Returns cosine first + sine second, at an angle from the first direction that is drawn, but at most the given one.
 template <int D>
 Vec<Rational, D> point_within(const gen::PerpendicularPair<D>& frame, const gen::CapAngle& most) {
   const gen::CapAngle drawn = *gen::cap_angle();
@@ -25,7 +25,7 @@ Vec<Rational, D> point_within(const gen::PerpendicularPair<D>& frame, const gen:
   return frame.first * angle.cosine + frame.second * angle.sine;
 }
 
-// A cap of rotations about an apex of any length, and a rotation of the cap.
+// Draws a cap of rotations about an apex of any length, and a rotation of the cap.
 struct CapOfRotations {
   gen::PerpendicularPair<4> frame = *gen::perpendicular_pair<4>();
   gen::CapAngle angle = *gen::cap_angle();
@@ -53,7 +53,7 @@ void hypotheses_need_each_part(Suite& t) {
     RC_ASSERT(rotated_cap_hypotheses(zero, c.angle.cosine, c.rotation) == Verdict::fails);
     RC_ASSERT(rotated_cap_hypotheses(c.apex, c.angle.cosine, zero) == Verdict::fails);
     RC_ASSERT(filled_cap_hypotheses<Rational>(zero, v, v, Rational(-1)) == Verdict::fails);
-    // For them the conclusions are empty: 0 takes every vector to every other.
+    // For these the conclusions are empty: 0 takes every vector to every other.
     RC_ASSERT(is_rotated<Rational>(zero, v, *gen::rational_vector<3>()) == Verdict::holds);
     RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, v, zero) == Verdict::fails);
     RC_ASSERT(is_rotation_onto<Rational>(zero, c.angle.cosine, v, v, identity_quaternion<Rational>()) == Verdict::fails);
@@ -80,7 +80,7 @@ void hypotheses_need_each_part(Suite& t) {
   });
 }
 
-// Wrong witnesses, each of them wrong in one part and right in all others.
+// Checks wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
   t.example("an interval does not decide the rotation bound where it is attained", {}, [] {
     const Interval third = lift<Interval>(Rational(1, 3));
@@ -163,7 +163,7 @@ void rotations_fill_the_cap_of_the_doubled_angle(Suite& t) {
             const CapOfRotations c;
             const Rational length = *gen::unit_interval_rational(), cosine = rotated_cap_cosine_repaired(c.angle.cosine);
             const auto frame = *gen::perpendicular_pair<3>();
-            // The doubled angle; past pi/2 it is pi.
+            // This is the doubled angle, which is pi past pi/2.
             const gen::CapAngle doubled{cosine, c.angle.cosine < 0 ? Rational(0) : 2 * c.angle.cosine * c.angle.sine};
             const Vector v = rotate_by<Rational>(conjugate(c.apex), frame.first * length);
             const Vector x = point_within(frame, doubled) * length;
@@ -232,7 +232,8 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     apex.at_apex[*rc::gen::inRange(0, 3)] -= bump;
     RC_ASSERT(is_rotated_pair(c.apex, c.rotation, v, cosine, turned) == Verdict::fails);
     RC_ASSERT(is_rotated_pair(c.apex, c.rotation, v, cosine, apex) == Verdict::fails);
-    // A rotation onto another point, the opposite of the rotation in a small cap, and no rotation at all.
+    // None of these is a witness: a rotation onto another point, the opposite of the rotation in a small cap, and no rotation at
+    // all.
     const Vector x = rotate_by(c.rotation, v);
     RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, -x, c.rotation) == Verdict::fails);
     RC_ASSERT(is_rotation_onto<Rational>(c.apex, c.angle.cosine, v, x, c.rotation * Rational(0)) == Verdict::fails);

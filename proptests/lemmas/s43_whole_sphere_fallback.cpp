@@ -17,7 +17,7 @@ namespace {
 using namespace refitlab;
 using s43_fallback::Case;
 
-// The mean ball of line 11, with its radius squared.
+// Returns the mean ball of line 11, with its radius squared.
 Case mean_ball_of(std::vector<Quaternion<Rational>> units, std::vector<Rational> coefficients) {
   Quaternion<Rational> sum = Quaternion<Rational>::Zero();
   for (const auto& n : units) sum += n;
@@ -33,7 +33,7 @@ Case any_mean_ball() {
   return mean_ball_of(std::move(units), std::move(coefficients));
 }
 
-// Units that mostly lie on one side, so that the ball makes a cap.
+// Draws units that mostly lie on one side, so that the ball makes a cap.
 Case any_cap() {
   const Quaternion<Rational> axis = *gen::unit_quaternion();
   auto units = *gen::unit_quaternions(1, 4);
@@ -54,7 +54,7 @@ bool is_degenerate(const Case& c) {
   return equal_units || c.squared_radius == 0 || c.squared_radius == 1 || squared_norm(c.center) == 0;
 }
 
-// Three or four units in a ball that makes a cap, so that there is one between the first and the last.
+// Draws three or four units in a ball that makes a cap, so that there is one between the first and the last.
 Case several_in_cap() {
   auto units = *gen::unit_quaternions(3, 4);
   for (auto& n : units)
@@ -65,7 +65,7 @@ Case several_in_cap() {
   return c;
 }
 
-// All of the weight on one unit, or the case's own weights.
+// Puts all of the weight on one unit, or keeps the case's own weights.
 void lean_on(Case& c, std::size_t k) {
   if (*rc::gen::arbitrary<bool>().as("the case's own weights")) return;
   c.coefficients.assign(c.units.size(), Rational(0));
@@ -104,7 +104,7 @@ void hypotheses_need_each_part(Suite& t) {
     return Violation{is_convex<Rational>(c.coefficients), blend_of(c).verdict};
   });
   needs_part(t, "r^2 < 1 + ||c||^2, and not equal to it either", [] {
-    // Two units on the rim of a cap of a half or more: their middle is 0 or behind.
+    // Two units are on the rim of a cap of a half or more: their middle is 0 or behind.
     const auto frame = *gen::perpendicular_pair<4>();
     const auto angle = *gen::cap_angle().as("angle");
     RC_PRE(angle.cosine <= 0 && angle.sine > 0);
@@ -156,15 +156,15 @@ void verdicts_and_checks_need_each_part(Suite& t) {
     const int j = *rc::gen::inRange(0, 4).as("axis"), i = *rc::gen::inRange(0, 4).as("coordinate");
     Q4 axis = Q4::Zero(), other = Q4::Zero();
     axis[j] = 1, other[i] = 1;
-    // About the axis with r^2 = 1: N / 2 = 1/2.
+    // For a ball about the axis with r^2 = 1, N / 2 is 1/2.
     const auto verdict = [&](const Q4& unit, const Rational& coefficient, const Q4& blend, const Rational& square) {
       return is_blend_in_cap<Rational>(std::vector{unit}, axis, square, std::vector{coefficient},
                                        {Verdict::holds, blend, dot(blend, axis)});
     };
     const Rational half(1, 2), amount = *gen::positive_rational().as("amount");
     const Q4 middle = axis * half;
-    RC_ASSERT(verdict(axis, half, middle, Rational(1)) == Verdict::holds);                 // with equality in (b, c) >= N / 2
-    RC_ASSERT(verdict(axis, Rational(1), axis, Rational(1)) == Verdict::holds);            // and in ||b|| <= 1
+    RC_ASSERT(verdict(axis, half, middle, Rational(1)) == Verdict::holds);                 // This is equality in (b, c) >= N / 2.
+    RC_ASSERT(verdict(axis, Rational(1), axis, Rational(1)) == Verdict::holds);            // This is equality in ||b|| <= 1.
     RC_ASSERT(verdict(axis, half, middle + other * half, Rational(1)) == Verdict::fails);  // one coordinate
     RC_ASSERT(verdict(axis, half + amount, axis * (half + amount), Rational(1)) == verdict_of(amount <= half));  // the length
     RC_ASSERT(verdict(axis, half / (1 + amount), middle / (1 + amount), Rational(1)) == Verdict::fails);         // the height

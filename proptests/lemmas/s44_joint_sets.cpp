@@ -17,7 +17,7 @@ using namespace refitlab;
 using Point = Vec<Rational, 3>;
 using JointSets = std::vector<PosedJointSet<Rational>>;
 
-// One to three joint-sets of as many joints each, a reference ball, and a vertex of one of them.
+// Draws one to three joint-sets of as many joints each, a reference ball, and a vertex of one of them.
 struct Node {
   JointSets sets;
   Ball3<Rational> reference{*gen::rational_vector<3>(), *gen::unit_interval_rational()};
@@ -45,7 +45,7 @@ struct Node {
   }
 };
 
-// As small as a ball about the mean of the centers can be.
+// Returns the smallest ball about the mean of the centers, up to rational roots.
 Ball3<Rational> ball_around(const std::vector<SquaredBall<Rational, 3>>& parts) {
   Point sum = Point::Zero();
   for (const auto& part : parts) sum += part.center;
@@ -56,7 +56,7 @@ Ball3<Rational> ball_around(const std::vector<SquaredBall<Rational, 3>>& parts) 
   return ball;
 }
 
-// Im(q x q*) / ||q||^2 by products of quaternions.
+// Returns Im(q x q*) / ||q||^2 by products of quaternions.
 Point turned_by(const Quaternion<Rational>& q, const Point& x) {
   return imaginary(multiply(multiply(q, Quaternion<Rational>(0, x[0], x[1], x[2])), conjugate(q))) / squared_norm(q);
 }
@@ -65,7 +65,7 @@ bool is_vertex(const Node& n) {
   return is_vertex_of<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients) == Verdict::holds;
 }
 
-// The case of the theorem: the ball around the balls of all joint-sets.
+// Judges the case of the theorem: the ball around the balls of all joint-sets.
 Violation of(const Node& n) {
   const auto ball = ball_around(joint_set_balls_repaired<Rational>(n.sets, n.reference.center));
   return {is_vertex_of<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients),
@@ -99,7 +99,7 @@ void formulas_are_those_of_the_paper(Suite& t) {
               RC_ASSERT(balls[k].center == center);
               RC_ASSERT(balls[k].squared_radius == squared_distance(n.reference.center, set.rotation_center));
             }
-            // Of several joint-sets: one after the other.
+            // The balls of several joint-sets come one after the other.
             std::size_t count = 0;
             for (const auto& s : n.sets) count += s.weight_vertices.size();
             RC_ASSERT(joint_set_balls_repaired<Rational>(n.sets, n.reference.center).size() == count);
@@ -126,7 +126,8 @@ void formulas_are_those_of_the_paper(Suite& t) {
     };
     for (int k = 0; k < 3; ++k) {
       const Rational share = *gen::unit_interval_rational().as("share");
-      parts.push_back(at(ball.radius * share, ball.radius * (Rational(1) - share)));  // touching from inside
+      // They touch from inside.
+      parts.push_back(at(ball.radius * share, ball.radius * (Rational(1) - share)));
     }
     RC_ASSERT(encloses_parts<Rational>(ball, parts) == Verdict::holds);
     const auto k = *rc::gen::inRange<std::size_t>(0, 3).as("which");
@@ -165,7 +166,7 @@ void hypotheses_need_each_part(Suite& t) {
         const Rational amount = *gen::positive_rational().as("amount");
         const auto i = *rc::gen::inRange<std::size_t>(0, n.weights.size()).as("which");
         n.weights[i] += amount;
-        if (n.weights.size() > 1) n.weights[(i + 1) % n.weights.size()] -= amount;  // keeps the sum
+        if (n.weights.size() > 1) n.weights[(i + 1) % n.weights.size()] -= amount;  // This keeps the sum.
         RC_PRE(minkowski_sum_hypotheses(blended_rotation<Rational>(n.own().transforms, n.weights)) == Verdict::holds);
         return of(n);
       },
@@ -185,12 +186,12 @@ void hypotheses_need_each_part(Suite& t) {
   });
 }
 
-// Wrong witnesses, each of them wrong in one part and right in all others.
+// Checks wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
   t.holds("a part that is too long or not in its hull is rejected, with the right sum", {.number_type = "rational", .cases = 600},
           [] {
             Node n;
-            n.vertex = n.reference.center;  // no offset
+            n.vertex = n.reference.center;  // There is no offset.
             n.reference.radius = *gen::positive_rational().as("r");
             RC_PRE(is_vertex(n));
             const auto good = joint_set_vertex<Rational>({n.vertex, 1}, n.own(), n.reference, n.weights, n.vertex);
@@ -202,9 +203,9 @@ void checks_need_each_part(Suite& t) {
             const Rational length = squared_norm(good.spherical);
             RC_PRE(length > 0);
             auto hull = good, spherical = good, offset = good, sum = good;
-            hull.linear += good.spherical * Rational(2), hull.spherical = -good.spherical;  // as long
+            hull.linear += good.spherical * Rational(2), hull.spherical = -good.spherical;  // It is as long.
             RC_ASSERT(verdict(hull) == Verdict::fails);
-            // Longer, by at most r: ||s|| is at most ||s||^2 + 1.
+            // It is longer, by at most r: ||s|| is at most ||s||^2 + 1.
             const Point more = good.spherical * (n.reference.radius / (length + Rational(1)));
             spherical.spherical += more, spherical.offset -= more;
             RC_ASSERT(squared_norm(spherical.offset) <= sq(n.reference.radius));
@@ -213,7 +214,7 @@ void checks_need_each_part(Suite& t) {
             RC_ASSERT(verdict(sum) == Verdict::fails);
             offset.spherical = Point::Zero(), offset.offset = good.spherical;
             RC_ASSERT(verdict(offset) == verdict_of(length <= sq(n.reference.radius)));
-            n.reference.radius = length / (Rational(1) + length) / Rational(2);  // less than the length
+            n.reference.radius = length / (Rational(1) + length) / Rational(2);  // This is less than the length.
             RC_ASSERT(verdict(offset) == Verdict::fails);
           });
 }
@@ -318,7 +319,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     spherical.spherical += bump;
     offset.offset += bump;
     RC_ASSERT(rejected(linear) && rejected(spherical) && rejected(offset));
-    // The right sum of wrong parts.
+    // The wrong parts have the right sum.
     shifted.linear += bump, shifted.spherical -= bump;
     RC_ASSERT(rejected(shifted));
     const Point leap = Point(1, 0, 0) * (2 * n.reference.radius + 1);

@@ -17,7 +17,7 @@ using Point = Vec<Rational, 3>;
 
 Rational any_radius() { return *rc::gen::oneOf(rc::gen::just(Rational(0)), gen::positive_rational(), gen::positive_rational()); }
 
-// A point of the ball [0, radius], often of its boundary.
+// Draws a point of the ball [0, radius], often of its boundary.
 Point point_within(const Rational& radius) { return *gen::sphere_point<3>() * (radius * *gen::unit_interval_rational()); }
 
 s44_sum::Case any_case() {
@@ -25,7 +25,7 @@ s44_sum::Case any_case() {
   c.bounds = {*gen::vectors<3>(1, 5), {*gen::rational_vector<3>(), any_radius()}, any_radius()};
   c.parts = {*gen::convex_weights(static_cast<int>(c.bounds.linear.size())),
              c.bounds.spherical.center + point_within(c.bounds.spherical.radius), point_within(c.bounds.inflation)};
-  // About one of the points or any point; as small as it can be.
+  // The ball is about one of the points or any point, and as small as it can be.
   c.ball.center =
       *rc::gen::arbitrary<bool>() ? Point(c.bounds.linear[0] + c.bounds.spherical.center) : *gen::rational_vector<3>();
   Rational farthest(0);
@@ -40,7 +40,7 @@ bool is_degenerate(const s44_sum::Case& c) {
          c.bounds.spherical.radius == 0;
 }
 
-// Three or four points, so that there is one between the first and the last; F, r and a ball around it all.
+// Draws three or four points, so that there is one between the first and the last, with F, r and a ball around it all.
 s44_sum::Case several_points() {
   s44_sum::Case c;
   const int m = *rc::gen::element(3, 4).as("points");
@@ -61,7 +61,7 @@ Violation of(const s44_sum::Case& c) {
   return {sum_of_bounds_hypotheses(c.ball, c.bounds, c.parts), sum_of_bounds(c.ball, c.bounds, c.parts).verdict};
 }
 
-// All of the weight on one of the points.
+// Puts all of the weight on one of the points.
 void lean_on(s44_sum::Case& c, std::size_t k) {
   c.parts.coefficients.assign(c.bounds.linear.size(), Rational(0));
   c.parts.coefficients[k] = 1;
@@ -141,7 +141,8 @@ void radii_and_offsets_need_each_part(Suite& t) {
   needs_part(t, "r is not negative", [] {
     auto c = several_points();
     RC_PRE(c.bounds.inflation > 0);
-    c.bounds.inflation = -c.bounds.inflation;  // its square is as large
+    // Its square is as large.
+    c.bounds.inflation = -c.bounds.inflation;
     RC_ASSERT(parts_are_bounded(c.bounds, c.parts) == Verdict::holds);
     return of(c);
   });
@@ -154,7 +155,7 @@ void radii_and_offsets_need_each_part(Suite& t) {
   });
 }
 
-// Wrong witnesses, each of them wrong in one part and right in all others.
+// Checks wrong witnesses, each of them wrong in one part and right in all others.
 void checks_need_each_part(Suite& t) {
   t.example("intervals decide that a ball touches another from inside, but not where its farthest point is", {}, [] {
     const Vec<Interval, 3> origin(Interval(0), Interval(0), Interval(0)), center(Interval(3), Interval(4), Interval(0));
@@ -236,7 +237,8 @@ void inflated_balls_enclose_every_sum(Suite& t) {
           [] {
             const Ball3<Rational> inner{*gen::rational_vector<3>(), any_radius()};
             Ball3<Rational> outer{*rc::gen::oneOf(rc::gen::just(inner.center), gen::rational_vector<3>()), any_radius()};
-            if (*rc::gen::arbitrary<bool>())  // touching, if the distance is rational, or nearly so
+            // They touch if the distance is rational, and nearly so otherwise.
+            if (*rc::gen::arbitrary<bool>())
               outer.radius = inner.radius + upper_root(squared_distance(inner.center, outer.center));
             RC_CLASSIFY(inner.radius == 0 || inner.center == outer.center, "degenerate");
             const auto decides = [](const auto& o, const auto& i) { return farthest_point_decides(o, i); };
@@ -253,7 +255,8 @@ void inflated_balls_enclose_every_sum(Suite& t) {
 void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 400}, [] {
     auto c = any_case();
-    if (*rc::gen::arbitrary<bool>()) c.parts.offset *= Rational(3);  // a statement that may fail
+    // This statement may fail.
+    if (*rc::gen::arbitrary<bool>()) c.parts.offset *= Rational(3);
     decide_by_all(
         []<class S>(const Ball3<S>& ball, const std::vector<Vec<S, 3>>& linear, const Ball3<S>& spherical, const S& r,
                     const std::vector<S>& u, const Vec<S, 3>& s, const Vec<S, 3>& y) {
@@ -279,7 +282,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     spherical.to_spherical -= bump;
     offset.to_offset += bump;
     RC_ASSERT(rejected(center) && rejected(spherical) && rejected(offset));
-    // The right sum by steps that are too long, one pair at a time.
+    // The sum is right by steps that are too long, one pair at a time.
     const Rational far = 2 * (c.ball.radius + c.bounds.inflation) + 1;
     const Point leap = *gen::sphere_point<3>() * far;
     auto first = sum.steps, second = sum.steps, third = sum.steps;

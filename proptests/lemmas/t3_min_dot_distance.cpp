@@ -13,7 +13,7 @@ namespace {
 
 using namespace refitlab;
 
-// Units, a center that is one of them, their mean or any point but 0, and the largest squared distance.
+// Draws units, a center that is one of them, their mean or any point but 0, and the largest squared distance.
 template <int D>
 struct UnitsAndCenter {
   std::vector<Vec<Rational, D>> units = *gen::sphere_points<D>(1, 6);
@@ -75,7 +75,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     more.least_dot += *gen::positive_rational();
     beyond.nearest = c.units.size();
     RC_ASSERT(rejected(less) && rejected(more) && rejected(beyond));
-    // Another unit with its own dot product, that is not the least.
+    // Another unit with its own dot product is rejected if that is not the least.
     for (std::size_t k = 0; k < c.units.size(); ++k) {
       auto other = c.distance();
       other.nearest = k;

@@ -15,7 +15,8 @@ namespace {
 using namespace refitlab;
 using t3_cap::Case;
 
-// Quaternions of any length, none behind the axis, which is one of them, their sum, or any direction. The best kappa.
+// Draws quaternions of any length, none of which is behind the axis. The axis is one of them, their sum, or any direction, and
+// kappa is the best one.
 Case any_case(int least = 1) {
   auto quaternions = *rc::gen::mapcat(rc::gen::inRange(least, 6), [](int m) {
     return rc::gen::container<std::vector<Quaternion<Rational>>>(m, gen::nonzero_vector<4>());
@@ -43,14 +44,14 @@ Quaternion<Rational> blend_of(const Case& c) {
   return blend;
 }
 
-// (q_k, c)^2 / (||q_k||^2 ||c||^2).
+// Returns (q_k, c)^2 / (||q_k||^2 ||c||^2).
 Rational squared_cosine_to(const Case& c, std::size_t k) {
   const auto& q = c.quaternions[k];
   const Rational along = q.dot(c.axis);
   return along * along / (q.dot(q) * c.axis.dot(c.axis));
 }
 
-// The statement, by itself: the blend is in the cap.
+// Judges the statement by itself: the blend is in the cap.
 Verdict one_cap_holds(const Case& c) {
   const Quaternion<Rational> blend = blend_of(c);
   const Rational along = blend.dot(c.axis);
@@ -60,7 +61,7 @@ Verdict one_cap_holds(const Case& c) {
                     (!all_ahead || blend.dot(blend) > 0));
 }
 
-// What no hypothesis allows too: quaternions on both sides, a cap that is too narrow, coefficients of any sum.
+// Draws also what no hypothesis allows: quaternions on both sides, a cap that is too narrow, coefficients of any sum.
 Case wild_case() {
   Case c = any_case();
   for (auto& q : c.quaternions)
@@ -133,7 +134,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     shorter.pop_back();
     RC_ASSERT(rejected(c.squared_cosine, changed));
     RC_ASSERT(rejected(c.squared_cosine, shorter));
-    // The matrix of a larger kappa: as defined, but with a negative entry.
+    // The matrix of a larger kappa is as defined, but has a negative entry.
     Case larger = c;
     larger.squared_cosine += *gen::positive_rational();
     RC_ASSERT(rejected(larger.squared_cosine, cap_of(larger).gram));
@@ -171,7 +172,7 @@ void hypotheses_need_each_part(Suite& t) {
           part = broken.part;
           c.coefficients = broken.weights;
         }
-        // One of the blends that the theorem speaks of, or the weight vertex itself.
+        // The blend is one of those that the theorem speaks of, or the weight vertex itself.
         if (kind < 3 && *rc::gen::arbitrary<bool>()) {
           c.coefficients.assign(m, Rational(0));
           c.coefficients[k] = 1;
@@ -186,7 +187,7 @@ void hypotheses_need_each_part(Suite& t) {
     Case c = any_case(3);
     RC_ASSERT(hypotheses_of(c) == Verdict::holds);
     auto& q = c.quaternions[gen::any_place(c.quaternions.size())];
-    q -= c.axis * Rational(dot(q, c.axis) / squared_norm(c.axis));  // at a right angle
+    q -= c.axis * Rational(dot(q, c.axis) / squared_norm(c.axis));  // They are at a right angle.
     c.squared_cosine = 0;
     RC_ASSERT(hypotheses_of(c) == Verdict::holds);
     RC_ASSERT(cap_of(c).verdict == Verdict::holds);
@@ -239,7 +240,7 @@ void statements_say_their_words(Suite& t) {
             auto longer = good;
             longer.push_back(Rational(0));
             RC_ASSERT(rejected(longer));
-            // Of all quaternions turned round the matrix is the same.
+            // If all quaternions are turned round, the matrix is the same.
             RC_PRE(std::any_of(c.quaternions.begin(), c.quaternions.end(), [&](const auto& q) { return dot(q, c.axis) > 0; }));
             for (auto& q : c.quaternions) q = -q;
             RC_ASSERT(cap_of(c).gram == good && rejected(good));
@@ -250,7 +251,7 @@ void statements_say_their_words(Suite& t) {
     const Vec<Rational, 3> at_axis = oracle::times(oracle::affine_of(axis, zero), v),
                            rotated = oracle::times(oracle::affine_of(blend, zero), v);
     const Rational along = at_axis.dot(rotated), v2 = v.dot(v), excess = *gen::excess();
-    // Just what the angle allows, a little more or less, or anything.
+    // kappa^2 is exactly what the angle allows, a little more or less, or anything.
     Rational kappa2 = *gen::unit_interval_rational();
     if (v2 > 0 && *rc::gen::arbitrary<bool>())
       kappa2 = (along / v2 + 1) / 2 + *rc::gen::element(Rational(0), excess, Rational(-excess));

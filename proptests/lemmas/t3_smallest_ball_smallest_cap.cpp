@@ -15,7 +15,7 @@ namespace {
 
 using namespace refitlab;
 
-// Units with 0 outside their hull, mostly on one side of a plane, and the coefficients of the hull's nearest point.
+// Draws units with 0 outside their hull, mostly on one side of a plane, and the coefficients of the hull's nearest point.
 template <int D>
 struct UnitsOnOneSide {
   std::vector<Vec<Rational, D>> units = *gen::sphere_points<D>(1, 5);
@@ -53,7 +53,7 @@ void nearest_point_makes_both(Suite& t) {
             gen::for_some_dimension<2, 4>([](auto d) {
               const UnitsOnOneSide<d()> c;
               const auto cap = c.cap();
-              // Any baseline, or a close one.
+              // The baseline is any one, or a close one.
               const Vec<Rational, d()> step = *gen::nonzero_vector<d()>();
               const Rational share = *rc::gen::element(Rational(1), Rational(1, 100), Rational(1, 10000));
               const Vec<Rational, d()> baseline = cap.center + step * share;
@@ -103,7 +103,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
     RC_ASSERT(rejected(c.coefficients, moved, cap.squared_radius));
     RC_ASSERT(rejected(c.coefficients, cap.center, cap.squared_radius + bump));
     RC_ASSERT(rejected(c.coefficients, cap.center, cap.squared_radius - bump));
-    // Another convex combination with the ball about it that encloses: its support is not on the boundary.
+    // Another convex combination has a ball about it that encloses, but its support is not on the boundary.
     const auto other = *gen::convex_weights(static_cast<int>(c.units.size()));
     const Vec<Rational, 3> center = combine<Rational, 3>(other, c.units);
     if (center != cap.center) {
@@ -182,7 +182,8 @@ void hypotheses_need_each_part(Suite& t) {
           else units.push_back(units[0]);
         }
         const Verdict hypothesis = smallest_cap_hypotheses<Rational, 3>(units, u);
-        if (units.size() != u.size())  // nothing that could be concluded from; the certificate must see it too
+        // Nothing could be concluded from this, and the certificate must see it too.
+        if (units.size() != u.size())
           return Weakening{part, hypothesis,
                            is_smallest_ball<Rational, 3>(units, u, nearest, Rational(1) - squared_norm(nearest))};
         return Weakening{part, hypothesis, smallest_cap<Rational, 3>(units, u).verdict};
@@ -229,8 +230,7 @@ void each_part_of_a_certificate_is_checked(Suite& t) {
               RC_ASSERT(certified_with(cap.center + direction, 0) == Verdict::holds);
               const Rational stretch = Rational(1) + *gen::excess();
               RC_ASSERT(certified_with(cap.center + direction * stretch, 0) == Verdict::fails);
-              // The center itself as a point of the support: the combination is as before, but it is not on the
-              // boundary.
+              // The center itself is a point of the support: the combination is as before, but that point is not on the boundary.
               for (auto& x : c.coefficients) x /= 2;
               RC_ASSERT(certified_with(cap.center, Rational(1, 2)) == Verdict::fails);
             }

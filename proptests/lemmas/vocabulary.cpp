@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the lemmas are written in has tests of its own: by truth table, by integers, by exact rationals at the edges.
+// Tests what the lemmas are written in: by truth table, by integers, and by exact rationals at the edges.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -24,9 +24,9 @@ using Span = std::span<const Rational>;
 
 constexpr std::array all_verdicts{Verdict::fails, Verdict::undecided, Verdict::holds};
 
-// The truth values that a verdict stands for.
+// Says whether a verdict may stand for a truth value.
 bool may_be(Verdict v, bool value) { return v == Verdict::undecided || v == verdict_of(value); }
-// The verdict of all values that are possible.
+// Returns the verdict of all values that are possible.
 Verdict of_possible(bool may_be_false, bool may_be_true) {
   return may_be_false && may_be_true ? Verdict::undecided : verdict_of(may_be_true);
 }
@@ -39,7 +39,7 @@ Verdict by_truth_table(Verdict a, Verdict b, const Connective& connective) {
   return of_possible(may_be_false, may_be_true);
 }
 
-// An interval with the given ends, which doubles are; a certain order of them.
+// Holds the ends of an interval, which are doubles in this order.
 struct Ends {
   double low, high;
 };
@@ -60,7 +60,7 @@ Ends ends_of(const MultiprecisionInterval& i) {
 }
 bool are(const Ends& e, double low, double high) { return e.low == low && e.high == high; }
 
-// Every operation on intervals whose ends are exact, against what all pairs of their members may give.
+// Checks every operation on intervals whose ends are exact, against what all pairs of their members may give.
 template <class S, class Make>
 void assert_interval_operations(const Make& make) {
   const Ends a = any_ends(), b = any_ends();
@@ -86,7 +86,7 @@ void assert_interval_operations(const Make& make) {
   RC_ASSERT(root_ends.low >= std::sqrt(low) - 1e-15 && root_ends.high <= std::sqrt(a.high) + 1e-15);
 }
 
-// A number that is sure to be told apart, or only by the given rung.
+// Returns 1 / 10^exponent.
 Rational power_of_ten(int exponent) {
   Rational x(1);
   for (int i = 0; i < exponent; ++i) x /= Rational(10);
@@ -170,7 +170,7 @@ void intervals_and_numbers_compute(Suite& t) {
 
 void numbers_are_lifted_and_compared(Suite& t) {
   t.example("the ladder goes up by one rung at a time, and only as far as it must", {}, [] {
-    // A statement that the given rung is the first to decide; it keeps a list of those that were asked.
+    // The given rung is the first to decide this statement, and a list keeps those that were asked.
     long cases = 0;
     bool ok = true;
     for (const int deciding : {0, 1, 2})
@@ -231,7 +231,7 @@ void numbers_are_lifted_and_compared(Suite& t) {
 
   t.holds("a comparison with a root is right at equality, beside it, and for all signs",
           {.number_type = "rational", .cases = 2000}, [] {
-            // sqrt(q) = k exactly, so that both sides are rational.
+            // The root sqrt(q) = k is exact, so that both sides are rational.
             const Rational k = *rc::gen::oneOf(gen::positive_rational(), rc::gen::just(Rational(0))), q = k * k,
                            a = *gen::rational(), excess = *gen::excess();
             const Rational off = *rc::gen::element(Rational(0), excess, Rational(-excess)),
@@ -265,7 +265,8 @@ void weights_are_convex_within_bounds(Suite& t) {
       [] {
         auto w = *gen::convex_weights(*rc::gen::inRange(2, 6));
         const std::size_t n = w.size(), k = gen::any_place(n);
-        WeightBounds<Rational> bounds{w, w};  // the edge: each weight at both bounds
+        // Each weight is at the edge of both bounds.
+        WeightBounds<Rational> bounds{w, w};
         RC_ASSERT(admits(bounds, Span(w)) == Verdict::holds);
         const Rational excess = *gen::excess();
         for (std::size_t i = 0; i < n; ++i)
@@ -283,7 +284,7 @@ void weights_are_convex_within_bounds(Suite& t) {
       1000);
 }
 
-// Whether upper_norm() of the vector in S is at least its length, and at most 16 % more, in exact numbers.
+// Says whether upper_norm() of the vector in S is at least its length, and at most 16 % more, in exact numbers.
 template <class S>
 bool is_upper_norm(const RationalVec<3>& v) {
   const Vec<S, 3> x = lift<S>(v);
@@ -291,7 +292,8 @@ bool is_upper_norm(const RationalVec<3>& v) {
   return upper * upper >= squared && upper * upper <= squared * Rational(135, 100);
 }
 
-// Of equal coordinates, too, of which it is nearest to the length. The 16 % are not too much: more than 15 % are attained.
+// Checks upper norms, also of equal coordinates, for which it is nearest to the length. The 16 % are not too much: more than 15 %
+// are attained.
 Checked check_upper_norms() {
   constexpr int most = 32;
   long cases = 0;
@@ -327,7 +329,7 @@ void vectors_compute_by_coordinates(Suite& t) {
     RC_ASSERT((squared_norm<Rational, 3>(a) == a.dot(a)));
     const RationalVec<3> gap = a - b;
     RC_ASSERT((squared_distance<Rational, 3>(a, b) == gap.dot(gap)));
-    // The cross product: perpendicular, alternating, and right-handed by its triple products.
+    // The cross product is perpendicular, alternating, and right-handed by its triple products.
     const RationalVec<3> ab = cross<Rational>(a, b), expected = a.cross(b);
     RC_ASSERT(ab == expected && ab.dot(a) == 0 && ab.dot(b) == 0);
     RC_ASSERT((choose<bool, Rational, 3>(true, a, c) == a && choose<bool, Rational, 3>(false, a, c) == c));
@@ -377,7 +379,7 @@ void quaternions_and_rigid_transforms_are_matrices(Suite& t) {
     const RationalVec<3> bx = oracle::times(oracle::affine_of(b.rotation, b.translation), x),
                          abx = oracle::times(oracle::affine_of(a.rotation, a.translation), bx);
     RC_ASSERT(apply(b, x) == bx && apply(compose(a, b), x) == abx);
-    RC_ASSERT(compose(a, b).rotation == oracle::hamilton(a.rotation, b.rotation));  // its sign too
+    RC_ASSERT(compose(a, b).rotation == oracle::hamilton(a.rotation, b.rotation));  // Its sign is the same, too.
     RC_ASSERT(apply(inverse(b), bx) == x && apply(b, apply(inverse(b), x)) == x);
     RC_ASSERT(compose(inverse(b), b).rotation == identity_quaternion<Rational>());
     const RigidTransform<Rational> none;

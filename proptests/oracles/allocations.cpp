@@ -19,9 +19,10 @@ FailingAllocation::~FailingAllocation() { fails_at = -1; }
 
 }  // namespace proptests::oracle
 
-#ifdef __SANITIZE_ADDRESS__  // it has operators of its own, and says what is asked of them
+// The address sanitizer has operators of its own, and says what is asked of them.
+#ifdef __SANITIZE_ADDRESS__
 
-// As in sanitizer/allocator_interface.h, which GCC's packages lack.
+// This is declared as in sanitizer/allocator_interface.h, which GCC's packages lack.
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*, std::size_t),
                                                          void (*on_free)(const volatile void*));
 
@@ -43,7 +44,7 @@ void add_one() {
 
 }  // namespace
 
-// All other forms of the language's own lead here.
+// All other forms of the language's own operators call this one.
 void* operator new(std::size_t size) {
   add_one();
   if (void* out = std::malloc(size > 0 ? size : 1)) return out;

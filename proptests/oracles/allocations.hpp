@@ -4,10 +4,10 @@
 
 namespace proptests::oracle {
 
-// Since the thread began.
+// Returns the number of allocations since the thread began.
 long allocations();
 
-// How many allocations a call makes.
+// Returns how many allocations a call makes.
 template <class Call>
 long allocations_in(const Call& call) {
   const long before = allocations();
@@ -15,8 +15,8 @@ long allocations_in(const Call& call) {
   return allocations() - before;
 }
 
-// While it lives, one allocation of this thread throws std::bad_alloc: that after so many others. There is one at a time. Not of a program
-// with the address sanitizer, which has its own operators.
+// Lets one allocation of this thread throw std::bad_alloc while it lives: the one after so many others. There is one at a time. A
+// program with the address sanitizer, which has its own operators, has none.
 class FailingAllocation {
  public:
   explicit FailingAllocation(long after);

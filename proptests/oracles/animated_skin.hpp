@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where an animation takes a skinned vertex, written from the definitions and from nothing in algorithms/ but its data: slerp by
-// sines, Hermite's polynomials, products of 4x4 matrices, blends of matrices and of dual quaternions. Over intervals of 60 digits
-// it is a certain enclosure, over jets of those it has derivatives, and over double it is quick.
+// Computes where an animation takes a skinned vertex, written from the definitions and from nothing in algorithms/ but its data:
+// slerp by sines, Hermite's polynomials, products of 4x4 matrices, blends of matrices and of dual quaternions. Over intervals of
+// 60 digits it is a certain enclosure, over jets of those it has derivatives, and over double it is quick.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 
 namespace proptests::oracle {
 
-// A moment of which the definition does not say where things are, or rounding would have to: a slerp between quaternions at right
-// angles, a joint at half a turn from the first one, a blend that vanishes, a center that tolerances choose.
+// This is thrown at a moment at which the definition does not say where things are, or rounding would have to: a slerp between
+// quaternions at right angles, a joint at half a turn from the first one, a blend that vanishes, a center that tolerances choose.
 struct Ambiguous {};
 
 template <class S>
@@ -66,8 +66,8 @@ refitlab::Vec<S, 3> times(const Matrix4<S>& m, const refitlab::Vec<S, 3>& x) {
   return out;
 }
 
-// The quaternion of the rotation in a matrix that is one but for a factor, which may be negative, and a little noise: Newton's
-// iteration for the polar decomposition, and Shepperd's formulas.
+// Returns the quaternion of the rotation in a matrix that is a rotation but for a factor, which may be negative, and a little
+// noise, by Newton's iteration for the polar decomposition and Shepperd's formulas.
 template <class S>
 refitlab::Quaternion<S> rotation_in(const Eigen::Matrix4d& matrix) {
   const double factor = std::cbrt(matrix.topLeftCorner<3, 3>().determinant());
@@ -85,7 +85,7 @@ refitlab::Quaternion<S> rotation_in(const Eigen::Matrix4d& matrix) {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) m[i][j] = (m[i][j] + cofactors[i][j] / determinant) / S(2);
   }
-  // 4 times the squares of w, x, y and z, of which the greatest is taken the root of.
+  // These are 4 times the squares of w, x, y and z, and the root of the greatest is taken.
   const S traces[4] = {S(1) + m[0][0] + m[1][1] + m[2][2], S(1) + m[0][0] - m[1][1] - m[2][2], S(1) - m[0][0] + m[1][1] - m[2][2],
                        S(1) - m[0][0] - m[1][1] + m[2][2]};
   int largest = 0;
@@ -96,7 +96,8 @@ refitlab::Quaternion<S> rotation_in(const Eigen::Matrix4d& matrix) {
   const S products[4][4] = {{traces[0], wx, wy, wz}, {wx, traces[1], xy, xz}, {wy, xy, traces[2], yz}, {wz, xz, yz, traces[3]}};
   refitlab::Quaternion<S> q;
   for (int i = 0; i < 4; ++i) q[i] = products[largest][i];
-  return q;  // of any length
+  // It may have any length.
+  return q;
 }
 
 template <class S>
@@ -162,7 +163,7 @@ refitlab::Quaternion<S> between_keys(refitlab::Quaternion<S> a, refitlab::Quater
   }
 }
 
-// Of the glTF specification, appendix C, with tangents per second.
+// Returns the cubic spline of the glTF specification, appendix C, with tangents per second.
 template <class S, int D>
 refitlab::Vec<S, D> hermite(const refitlab::Vec<S, D>& a, const refitlab::Vec<S, D>& out_of_a, const refitlab::Vec<S, D>& into_b,
                             const refitlab::Vec<S, D>& b, const S& duration, const S& t) {
@@ -173,7 +174,8 @@ refitlab::Vec<S, D> hermite(const refitlab::Vec<S, D>& a, const refitlab::Vec<S,
   return out;
 }
 
-// At a time, which is when's value: of a channel's keys the last one that is not later, or earlier if the side before is asked for.
+// Returns a channel's value at a time, which is when's value. It uses the last of the keys that is not later, or earlier if the
+// side before is asked for.
 template <class S, class Value>
 auto at(const refitlab::Channel<Value>& channel, double time, const S& when, refitlab::Side side) {
   constexpr int D = decltype(numbers<S>(channel.keys[0].value))::RowsAtCompileTime;
@@ -195,14 +197,14 @@ auto at(const refitlab::Channel<Value>& channel, double time, const S& when, ref
 
 // --- Nodes and joints ---
 
-// What a node, or a joint, does: its matrix, and the quaternion of its rotation, where rotations are asked for.
+// Holds what a node, or a joint, does: its matrix, and the quaternion of its rotation, where rotations are asked for.
 template <class S>
 struct Placed {
   Matrix4<S> matrix;
   refitlab::Quaternion<S> turn;
 };
 
-// Scaled, turned by a unit quaternion, moved.
+// Holds a transform that scales, then turns by a unit quaternion, then moves.
 template <class S>
 struct Parts {
   refitlab::Vec<S, 3> translation;
@@ -219,7 +221,7 @@ Placed<S> placed(const Parts<S>& parts) {
   return {m, parts.turn};
 }
 
-// Of a node that the animation moves.
+// Returns the parts of a node that the animation moves.
 template <class S>
 std::optional<Parts<S>> parts_of(const refitlab::Animation& animation, int node, double time, const S& when,
                                  refitlab::Side side) {
@@ -237,7 +239,7 @@ Placed<S> at_rest(const refitlab::SceneNode& node, bool with_turn) {
   return out;
 }
 
-// By node, against its parent.
+// Returns the transforms of nodes against their parents, by node.
 template <class S>
 std::vector<Placed<S>> local_transforms(const refitlab::BoundSkeleton& skeleton, const refitlab::Animation& animation,
                                         double time, const S& when, refitlab::Side side, bool with_turns) {
@@ -249,7 +251,7 @@ std::vector<Placed<S>> local_transforms(const refitlab::BoundSkeleton& skeleton,
   return out;
 }
 
-// By node, against the scene.
+// Returns the transforms of nodes against the scene, by node.
 template <class S>
 std::vector<Placed<S>> scene_transforms(const refitlab::BoundSkeleton& skeleton, std::vector<Placed<S>> nodes) {
   for (std::size_t n = 0; n < nodes.size(); ++n)
@@ -258,7 +260,7 @@ std::vector<Placed<S>> scene_transforms(const refitlab::BoundSkeleton& skeleton,
   return nodes;
 }
 
-// A skinned vertex of a model, at the times of an animation.
+// Places a skinned vertex of a model at the times of an animation.
 template <class S>
 class AnimatedSkin {
  public:
@@ -270,14 +272,14 @@ class AnimatedSkin {
       for (const auto& joint : model.skeleton.joints) offset_turns_.push_back(unit<S>(rotation_in<S>(joint.offset)));
   }
 
-  // To be called before vertices are asked for. Throws Ambiguous, as vertex does.
+  // Poses the joints, which is to be done before vertices are asked for. Throws Ambiguous, as vertex does.
   void pose(double time, refitlab::Side side) {
     weights_ = weights_at(animation_, time, side);
     place(local_transforms<S>(model_.skeleton, animation_, time, number<S>(time), side, is_rigid()));
   }
 
-  // In a crossfade to another animation, at a time of each. Rotations go by nlerp or by slerp the shorter way, but for nodes with
-  // a sign. A node that only one of both moves has its rest transform by its parts.
+  // Poses the joints in a crossfade to another animation, at a time of each. Rotations are blended by nlerp or by slerp the
+  // shorter way, but for nodes with a sign. A node that only one of both moves has its rest transform by its parts.
   void pose(double time, refitlab::Side side, const refitlab::Animation& other, double other_time, refitlab::Side other_side,
             double weight, bool by_nlerp, std::span<const refitlab::NodeSign> signs) {
     const S share = number<S>(weight), left = S(1) - share;
@@ -377,7 +379,7 @@ class AnimatedSkin {
  private:
   bool is_rigid() const { return skinning_ != refitlab::Skinning::linear; }
 
-  // By target, for each of the morphed meshes.
+  // Returns the weights by target, for each of the morphed meshes.
   std::vector<std::vector<S>> weights_at(const refitlab::Animation& animation, double time, refitlab::Side side) const {
     std::vector<std::vector<S>> out;
     for (const auto& mesh : model_.morphs) {
@@ -412,8 +414,8 @@ class AnimatedSkin {
     return oracle::times<S>(affine_of<S>(c.rotation, c.translation), x);
   }
 
-  // The least-squares center nearest to the mean of the joints' origins, by its normal equations, where the tolerances of
-  // algorithms/runtime/skinning/rotation_center.hpp have nothing to say.
+  // Returns the least-squares center nearest to the mean of the joints' origins, by its normal equations, where the tolerances of
+  // algorithms/runtime/skinning/rotation_center.hpp have no effect.
   refitlab::Vec<S, 3> center(const std::vector<refitlab::RigidTransform<S>>& transforms,
                              const std::vector<refitlab::Influence>& influences) const {
     using namespace refitlab;
@@ -446,7 +448,8 @@ class AnimatedSkin {
           }
       }
     if (found.rank == 2) {
-      // Of two joints nothing is determined along the axis of the relative rotation, and of more only if their axes are parallel.
+      // For two joints nothing is determined along the axis of the relative rotation, and for more only if their axes are
+      // parallel.
       if (transforms.size() != 2) throw Ambiguous();
       const auto& p = transforms[0].rotation;
       const auto relative = hamilton<S>({p[0], S(0) - p[1], S(0) - p[2], S(0) - p[3]}, transforms[1].rotation);

@@ -26,7 +26,7 @@ Point image_by(const Q& a, const Q& middle, const Q& b) {
   return imaginary<double>(multiply<double>(multiply<double>(a, middle), conjugate<double>(b)));
 }
 
-// The sum over all orders in which weight vertices are taken of what the blend's numerator has there, and of its weight.
+// Holds the sum, over all orders in which weight vertices are taken, of what the blend's numerator has there, and of its weight.
 struct Control {
   Point numerator = {0, 0, 0};
   double weight = 0;
@@ -49,7 +49,8 @@ double needed_by_control(const BlendsAtWeightVertices& c, const Point& center) {
         std::array<std::size_t, 3> order{j, k, l};
         if (!c.duals.empty()) {
           add(sum, c, j, k), add(sum, c, k, j);
-        } else {  // all six orders: two quaternions, and the third weight vertex's image
+          // There are six orders: two quaternions, and the third weight vertex's image.
+        } else {
           std::array<int, 3> at{0, 1, 2};
           do {
             const auto a = order[at[0]], b = order[at[1]];
@@ -63,7 +64,7 @@ double needed_by_control(const BlendsAtWeightVertices& c, const Point& center) {
   return needed;
 }
 
-// By cosines and sines of angles; 0 for all rotations.
+// Returns the radius that a cap needs, by cosines and sines of angles. The cap is that of all rotations for an axis of 0.
 double needed_by_cap(const BlendsAtWeightVertices& c, const Point& center, const Q& axis) {
   double angle = length(axis) == 0 ? std::numbers::pi : 0;
   for (const Q& q : c.rotations) {
@@ -92,7 +93,7 @@ double needed_by_reach(const BlendsAtWeightVertices& c, const Point& center, con
   return length(Point(f - center)) + reach;
 }
 
-// With the middle of the edge in place of its first end.
+// Returns the half with the middle of the edge in place of its first end.
 BlendsAtWeightVertices half(BlendsAtWeightVertices c, std::size_t replaced, std::size_t other) {
   c.rotations[replaced] = (c.rotations[replaced] + c.rotations[other]) / 2;
   if (c.duals.empty()) c.center_images[replaced] = (c.center_images[replaced] + c.center_images[other]) / 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What rounding may make of Algorithm 1 and of the caps that control hulls fall back on, by the formulas' own templates.
+// Derives what rounding may make of Algorithm 1 and of the caps that control hulls fall back on, by the formulas' own templates.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,12 @@
 
 namespace proptests::oracle {
 
-// The error of sum w_i v_i, in u, of so many vectors of length 1, each with this error. It is linear in the weights, and so greatest
-// at a vertex of their simplex. The weights are exact.
+// Returns the error of sum w_i v_i, in u, of so many vectors of length 1, each with this error. It is linear in the weights, and
+// so greatest at a vertex of their simplex. The weights are exact.
 template <int D>
 double error_of_blend(int joints, double of_vector) {
-  constexpr double tiny = 1e-30;  // in place of 0, with which sums would be exact
+  // This stands in place of 0, with which sums would be exact.
+  constexpr double tiny = 1e-30;
   double worst = 0;
   for (int most = 0; most < joints; ++most) {
     std::vector<Budget> w(joints, Budget(tiny));
@@ -25,7 +26,7 @@ double error_of_blend(int joints, double of_vector) {
   return worst;
 }
 
-// The error of v / ||v||, in u, for an exact v of any length.
+// Returns the error of v / ||v||, in u, for an exact v of any length.
 inline double error_of_unit() {
   Budget::least_squared_norm = 1;
   const refitlab::Quaternion<Budget> q = of_length<0, 4>(1);
@@ -36,9 +37,9 @@ inline double error_of_unit() {
   return error;
 }
 
-// What rotated_ball may lose of the images of an x of length 1 under a cap of less than a right angle, in u: of its center, of its
-// radius, and of the angle, whose errors come from those of the unit quaternions. Beyond a right angle the ball has all rotations of
-// x.
+// Returns what rotated_ball may lose of the images of an x of length 1 under a cap of less than a right angle, in u: of its
+// center, of its radius, and of the angle, whose errors come from those of the unit quaternions. Beyond a right angle the ball
+// has all rotations of x.
 inline double error_of_cap(double of_unit, double error_of_x) {
   using namespace refitlab;
   constexpr double u = Budget::u;
@@ -47,7 +48,8 @@ inline double error_of_cap(double of_unit, double error_of_x) {
   const Vec<Budget, 3> x = of_length<0, 3>(1, error_of_x);
   const Budget squared = squared_norm(x), length = root(Budget(1, squared.error, 1));
   double worst = 0;
-  constexpr double end = 0.1465;  // 8 s^2 (1 - s^2) = 1 at a right angle
+  // At a right angle, 8 s^2 (1 - s^2) is 1.
+  constexpr double end = 0.1465;
   for (double least = 1e-30; least < end;) {
     const double most = least < 1e-12 ? 1e-12 : std::min(end, least * 1.01);
     const RotationBound<Budget> bound = bound_of_cap(apex, Budget(most, 0, least));

@@ -16,7 +16,7 @@ namespace proptests::oracle {
 
 namespace {
 
-// command: of the shell.
+// Runs a command of the shell.
 CheckerRun run(const std::string& command) {
   std::FILE* pipe = ::popen(("ulimit -t 120; timeout 300 " + command + " 2>&1").c_str(), "r");
   if (!pipe) throw std::runtime_error("cannot run " + command);

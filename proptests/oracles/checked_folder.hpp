@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Running proptests/certificate/check or check_pairs on certificates in a folder, and proptests/certificate/check_clip on some.
+// Runs proptests/certificate/check or check_pairs on certificates in a folder, and proptests/certificate/check_clip on some.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,21 +16,22 @@ struct CheckerRun {
 };
 std::string checker();        // the path of its program
 std::string pairs_checker();  // and of check_pairs
-// path: a file or folder without spaces, or several, or nothing. A run of more than two minutes of processor time is ended.
+// Runs a checker on a file or folder without spaces, on several, or on nothing. A run of more than two minutes of processor time
+// is ended.
 CheckerRun run_checker(const std::string& path, const std::string& program = checker());
-// The same of proptests/certificate/check_clip; arguments are separated by spaces.
+// Runs proptests/certificate/check_clip in the same way. Arguments are separated by spaces.
 CheckerRun run_clip_checker(const std::string& arguments);
-// Of the checker's intervals: its last line says how many cases it tried, or what is wrong.
+// Runs the test of the checker's intervals. Its last line says how many cases it tried, or what is wrong.
 CheckerRun run_interval_test();
 
-// The document with one vertex a piece in place of its own: at the center of the reference, with the first weight
+// Returns the document with one vertex for each piece in place of its own: at the center of the reference, with the first weight
 // vertex's weights.
 nlohmann::json with_weight_vertex_vertices(nlohmann::json document);
 
-// A document as a certificate's text, with the digest that fits: a forger can do that too.
+// Returns a document as a certificate's text, with the digest that fits. A forger can do that too.
 std::string sealed(nlohmann::json document);
 
-// What the checker says of a file: verdict and reason.
+// Holds what the checker says of a file: verdict and reason.
 struct CheckedLine {
   std::string text;
   bool is_accepted() const { return text.starts_with("accepted: "); }
@@ -38,16 +39,16 @@ struct CheckedLine {
   bool is_rejected_for(const std::string& reason) const { return is_rejected() && text.find(reason) != std::string::npos; }
 };
 
-// A folder of its own, gone afterwards.
+// Makes a folder of its own, which is removed afterwards.
 class CheckedFolder {
  public:
   explicit CheckedFolder(std::string program = checker()) : program_(std::move(program)) {}
   void add(const std::string& text);
   std::size_t size() const { return count_; }
-  std::string text(std::size_t number) const;  // of one that was added
+  std::string text(std::size_t number) const;  // It was added before.
   std::string path() const { return folder_.path(); }
 
-  // A line for each file, in the order in which they were added. Throws std::runtime_error if the checker says anything
+  // Returns a line for each file, in the order in which they were added. Throws std::runtime_error if the checker says anything
   // else, such as a traceback, or if its exit status is not that of its lines.
   std::vector<CheckedLine> check() const;
 

@@ -8,7 +8,7 @@ namespace {
 
 using refitlab::Rational;
 
-// The only coefficients of the chosen rows that give w; nothing if there are none, or more than one.
+// Returns the only coefficients of the chosen rows that give w, or nothing if there are none, or more than one.
 std::optional<Row> solve(const std::vector<Row>& rows, const std::vector<std::size_t>& chosen, const Row& w) {
   const std::size_t n = w.size(), k = chosen.size();
   std::vector<Row> m(n, Row(k + 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Derived and allowed budgets of rounding, by name. No allowance may be less than what was derived.
+// Compares derived and allowed budgets of rounding, by name. No allowance may be less than what was derived.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace proptests::oracle {
 
 class DerivedBudgets {
  public:
-  // Both in u, the unit roundoff of the kernel's numbers.
+  // Adds a budget. Both numbers are in u, the unit roundoff of the kernel's numbers.
   void add(const std::string& name, double derived, double allowed) {
     char text[200];
     std::snprintf(text, sizeof text, "%s: derived %.4g u, allowed %.4g u; ", name.c_str(), derived, allowed);
@@ -20,7 +20,7 @@ class DerivedBudgets {
     if (!(derived > 0 && derived <= allowed)) too_little_ += text;
     if (derived / allowed > greatest_share_) greatest_share_ = derived / allowed, tightest_ = text;
   }
-  // The same of a constant, which may be no unit more than was derived.
+  // Adds the budget of a constant, which may be no unit more than was derived.
   void add_up_to_a_unit(const std::string& name, double derived, double allowed) {
     add(name, derived, allowed);
     add(name + ", not a unit more", std::max(1e-30, allowed - 1), derived);

@@ -11,7 +11,7 @@
 namespace proptests::oracle {
 namespace {
 
-// The value between the keys around a time in ticks; blend takes the two keys and the share of the second.
+// Returns the value between the keys around a time in ticks. blend takes the two keys and the share of the second.
 template <class SourceKey, class Blend>
 auto value_at(const SourceKey* keys, unsigned count, double ticks, const Blend& blend) {
   for (unsigned k = 0; k + 1 < count; ++k)
@@ -39,7 +39,7 @@ aiMatrix4x4 local_transform(const aiNode& node, const aiAnimation& animation, do
     if (channel.mNumScalingKeys) scale = value_at(channel.mScalingKeys, channel.mNumScalingKeys, ticks, blend_vectors);
     if (channel.mNumRotationKeys) rotation = value_at(channel.mRotationKeys, channel.mNumRotationKeys, ticks, blend_rotations);
     if (channel.mNumPositionKeys) position = value_at(channel.mPositionKeys, channel.mNumPositionKeys, ticks, blend_vectors);
-    // Not the constructor from these three: it scales the rows of the rotation.
+    // The constructor from these three is not used: it scales the rows of the rotation.
     aiMatrix4x4 move, stretch;
     return aiMatrix4x4::Translation(position, move) * aiMatrix4x4(rotation.GetMatrix()) * aiMatrix4x4::Scaling(scale, stretch);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The skin of a model file as assimp's own types palette it: single precision, straight matrices, no welding, no rigidity.
+// Skins a model file by assimp's own types: single precision, straight matrices, no welding, no rigidity.
 #pragma once
 
 #include <assimp/scene.h>
@@ -14,10 +14,11 @@ namespace proptests::oracle {
 
 class FileSkinning {
  public:
-  explicit FileSkinning(const std::string& path);  // throws std::runtime_error if assimp does not read it
-  // Every triangle, node by node, depth first, in the space of the file's scene: each corner sum w G O v / sum w, with
-  // G the global transform of the bone's node at that time (s) and O its offset matrix, or G v for a mesh without
-  // bones. Without the triangles of which two corners agree in position and weights.
+  // Throws std::runtime_error if assimp does not read it.
+  explicit FileSkinning(const std::string& path);
+  // Returns every triangle, node by node, depth first, in the space of the file's scene. Each corner is sum w G O v / sum w, with
+  // G the global transform of the bone's node at that time (s) and O its offset matrix, or G v for a mesh without bones.
+  // Triangles of which two corners agree in position and weights are left out.
   std::vector<std::array<aiVector3D, 3>> posed_triangles(unsigned clip, double time) const;
 
  private:

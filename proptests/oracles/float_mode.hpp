@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Floating-point modes that a calling program may have set: every direction of rounding, denormals flushed to zero on the way
-// out (FTZ), taken for zero on the way in (DAZ), and exceptions that trap.
+// Sets floating-point modes that a calling program may have set: every direction of rounding, denormals flushed to zero on the
+// way out (FTZ), taken for zero on the way in (DAZ), and exceptions that trap.
 #pragma once
 
 #include <string>
@@ -12,17 +12,18 @@ namespace proptests::oracle {
 
 struct FloatMode {
   std::string name;
-  unsigned control;  // on x86-64 the register MXCSR, elsewhere a rounding direction of <cfenv>
+  // On x86-64 this is the register MXCSR, and elsewhere a rounding direction of <cfenv>.
+  unsigned control;
 };
 
-// All but the default one: on x86-64 15 of rounding, FTZ and DAZ, and one in which invalid operations, divisions by zero and
-// overflows trap; elsewhere the other three directions of rounding.
+// Returns all modes but the default one: on x86-64 15 of rounding, FTZ and DAZ, and one in which invalid operations, divisions by
+// zero and overflows trap; elsewhere the other three directions of rounding.
 std::vector<FloatMode> other_float_modes();
 
-// The thread's mode as it is, without flags that only remember.
+// Returns the thread's mode as it is, without flags that only remember.
 unsigned current_float_mode();
 
-// While it lives, the thread has this mode.
+// Gives the thread this mode while it lives.
 class ScopedFloatMode {
  public:
   explicit ScopedFloatMode(const FloatMode& mode);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Is a point in the convex hull of balls? Asked along one direction: the best that a search in double finds.
+// Asks along one direction whether a point is in the convex hull of balls: the best direction that a search in double finds.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 
 namespace proptests::oracle {
 
-// From the hull's point nearest to v towards v, in double [Gilbert 1966]: if v is outside, this direction shows it.
+// Returns the direction from the hull's point nearest to v towards v, in double [Gilbert 1966]. If v is outside, this direction
+// shows it.
 inline refitlab::Point3 direction_away(const std::vector<refitlab::Ball3<double>>& balls, const refitlab::Point3& v) {
   using refitlab::Point3;
   Point3 nearest = balls[0].center;
@@ -26,7 +27,7 @@ inline refitlab::Point3 direction_away(const std::vector<refitlab::Ball3<double>
   return v - nearest;
 }
 
-// (v, d) <= max over the balls of (center, d) + radius ||d||.
+// Judges whether (v, d) <= max over the balls of (center, d) + radius ||d||.
 template <class S>
 refitlab::Verdict reaches(const std::vector<refitlab::Ball3<S>>& balls, const refitlab::Vec<S, 3>& v,
                           const refitlab::Vec<S, 3>& d) {

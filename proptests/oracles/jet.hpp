@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Jet: a number with its first two derivatives. Any template over a number type, run on jets, differentiates itself exactly:
+// A Jet is a number with its first two derivatives. Any template over a number type, run on jets, differentiates itself exactly:
 // an independent way to the derivatives that lemmas bound.
 #pragma once
 
@@ -36,13 +36,13 @@ struct Jet {
   Jet& operator-=(const Jet& b) { return *this = *this - b; }
   Jet& operator*=(const Jet& b) { return *this = *this * b; }
   Jet& operator/=(const Jet& b) { return *this = *this / b; }
-  // The value alone: what a program that does not differentiate sees.
+  // Comparisons look at the value alone, which is what a program that does not differentiate sees.
   friend bool operator==(const Jet& a, const Jet& b) { return a.value == b.value; }
   friend bool operator<(const Jet& a, const Jet& b) { return a.value < b.value; }
   friend bool operator<=(const Jet& a, const Jet& b) { return a.value <= b.value; }
 };
 
-// A moment of a curve as a vector of jets, and back.
+// Converts a moment of a curve to a vector of jets, and back.
 template <class S, int D>
 refitlab::Vec<Jet<S>, D> jets_of(const refitlab::Moment<S, D>& m) {
   refitlab::Vec<Jet<S>, D> out;

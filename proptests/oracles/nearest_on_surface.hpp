@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The point of a sphere's surface in a given direction from its center, with exact roots: a slow and obvious way to see
+// Computes the point of a sphere's surface in a given direction from its center, with exact roots: a slow and obvious way to see
 // whether a half-space or a ball meets the surface.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace proptests {
 
-// direction != 0.
+// Returns the point. The direction must not be 0.
 template <int D>
 refitlab::Vec<refitlab::ExactRoot, D> point_towards(const refitlab::SquaredBall<refitlab::ExactRoot, D>& surface,
                                                     const refitlab::Vec<refitlab::ExactRoot, D>& direction) {

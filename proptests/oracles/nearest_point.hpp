@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The point of a hull nearest to 0, by trying every subset of the points: slow, obvious, exact.
+// Finds the point of a hull nearest to 0, by trying every subset of the points: slow, obvious, exact.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@ namespace proptests {
 
 using refitlab::Rational;
 
-// Solves the square system a x = b; nothing if a is singular.
+// Solves the square system a x = b. Returns nothing if a is singular.
 std::optional<std::vector<Rational>> solve(std::vector<std::vector<Rational>> a, std::vector<Rational> b);
 
-// The coefficients u of W_m of the nearest point sum_k u_k p_k. points is not empty.
+// Returns the coefficients u of W_m of the nearest point sum_k u_k p_k. points must not be empty.
 template <int D>
 std::vector<Rational> nearest_point_coefficients(const std::vector<refitlab::Vec<Rational, D>>& points) {
   using refitlab::dot;
@@ -27,7 +27,7 @@ std::vector<Rational> nearest_point_coefficients(const std::vector<refitlab::Vec
       if (subset >> k & 1) chosen.push_back(k);
     const std::size_t n = chosen.size();
     if (n > D + 1) continue;
-    // The nearest point of the plane through the chosen ones: (p_i, c) = mu for each of them, and the u sum to 1.
+    // The nearest point of the plane through the chosen ones has (p_i, c) = mu for each of them, and the u sum to 1.
     std::vector<std::vector<Rational>> a(n + 1, std::vector<Rational>(n + 1, Rational(1)));
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) a[i][j] = dot(points[chosen[i]], points[chosen[j]]);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// NormBudget: a number type that derives rounding budgets. It carries no value, but a bound on what a kernel's own templates
+// NormBudget is a number type that derives rounding budgets. It carries no value, but a bound on what a kernel's own templates
 // can make of all inputs in a range, and a bound on how far floats may be from it.
 //
-// A number is a scalar, or a coordinate of a vector. `most` bounds the exact scalar, or the length of the exact vector;
-// `error` bounds how far the computed one is from that; `least` is a lower bound of an exact positive scalar, or 0. These
-// stay bounds of lengths as long as all coordinates of a vector are computed alike: || a + b || <= || a || + || b ||, and
-// || s a || and the length of the coordinates' products are at most the products of the lengths. Sums of products that
-// have a better bound than that have rules of their own below: dot products, cross products and products of quaternions, whose
-// partial sums are bounded by Cauchy and Schwarz, and rotations. Terms of all orders are counted. Underflow and overflow are
-// not: the kernels exclude them by ranges and by allowances of their own.
+// A number is a scalar, or a coordinate of a vector. `most` bounds the exact scalar, or the length of the exact vector; `error`
+// bounds how far the computed one is from that; `least` is a lower bound of an exact positive scalar, or 0. These stay bounds of
+// lengths as long as all coordinates of a vector are computed alike: || a + b || <= || a || + || b ||, and || s a || and the
+// length of the coordinates' products are at most the products of the lengths. Sums of products that have a better bound than
+// that have rules of their own below: dot products, cross products and products of quaternions, whose partial sums are bounded by
+// Cauchy and Schwarz, and rotations. Terms of all orders are counted. Underflow and overflow are not: the kernels exclude them by
+// ranges and by allowances of their own.
 //
-// A NormBudget of level 0 uses all rules. The rules for rotations take their errors from the code's own templates at
-// level 1, which has the rules of products alone.
+// A NormBudget of level 0 uses all rules. The rules for rotations take their errors from the code's own templates at level 1,
+// which has the rules of products alone.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,11 +26,11 @@ namespace proptests::oracle {
 template <int level>
 struct NormBudget {
   static constexpr double u = 0x1p-24;  // of floats
-  // What comparisons answer: which of two branches is taken.
+  // Comparisons return this answer, which decides which of two branches is taken.
   static inline bool answer = true;
-  // Of numbers that are read from memory, in u: those that were rounded to float have 1.
+  // This is the error of numbers that are read from memory, in u: those that were rounded to float have 1.
   static inline double input_error = 1;
-  // Of numbers that are read from here, so much is added to that, whatever they are.
+  // This is added to the error of numbers that are read from here, whatever they are.
   static inline const float *added_begin = nullptr, *added_end = nullptr;
   static inline double added_error = 0;
 
@@ -40,20 +40,20 @@ struct NormBudget {
   static inline double least_squared_norm = 0;
 
   double most = 0, error = 0, least = 0;
-  // Whether it is a difference of two vectors of the same bound, or a share of one. All shares of a sum add up to at most one,
-  // so that adding one keeps the bound.
+  // Says whether it is a difference of two vectors of the same bound, or a share of one. All shares of a sum add up to at most
+  // one, so that adding one keeps the bound.
   bool is_step = false;
   // A cross product has a name, and is perpendicular to its second factor. Lengths of vectors that are perpendicular to each
   // other add up by Pythagoras.
   int name = 0, perpendicular_to = 0;
 
   NormBudget() = default;
-  // A constant, or infinity for an empty box.
+  // Makes a constant, or infinity for an empty box.
   NormBudget(double exact)  // NOLINT: as doubles convert to any number type
       : most(std::isfinite(exact) ? std::abs(exact) : 0),
         least(std::isfinite(exact) ? std::max(exact, 0.0) : 0) {}
   NormBudget(double m, double e, double l) : most(m), error(e), least(l) {}
-  // A pack, read from memory.
+  // Reads a pack from memory.
   template <class Flags>
   NormBudget(const float* number, Flags) : most(*number),
                                            error(input_error * u * most) {
@@ -68,7 +68,7 @@ struct NormBudget {
   using mask_type = bool;
   static constexpr std::size_t size() { return 4; }
 
-  // Rounded: what is computed is at most so long.
+  // Adds a rounding: what is computed is at most so long.
   NormBudget rounded() const {
     NormBudget out = *this;
     out.error += u * (most + error);
@@ -94,7 +94,7 @@ struct NormBudget {
   }
   NormBudget operator-(const NormBudget& b) const {
     if (!(least > 0 && b.least > 0)) return *this + -b;
-    // Of positive scalars.
+    // This bounds a difference of positive scalars.
     const double length = std::max(most - b.least, b.most - least);
     return NormBudget(length, error + b.error, std::max(least - b.most, 0.0)).rounded();
   }
@@ -104,12 +104,12 @@ struct NormBudget {
     exact.name = name ? name : b.name, exact.perpendicular_to = name ? perpendicular_to : b.perpendicular_to;
     return is_power_of_two() || b.is_power_of_two() ? exact : exact.rounded();
   }
-  // Products and quotients by it are exact.
+  // Says whether products and quotients by it are exact.
   bool is_power_of_two() const {
     int exponent;
     return error == 0 && (most == 0 || (least == most && std::frexp(most, &exponent) == 0.5));
   }
-  // By a positive number whose lower bound is known.
+  // Divides by a positive number whose lower bound is known.
   NormBudget operator/(const NormBudget& b) const {
     if (b.is_power_of_two() && b.most > 0) return *this * NormBudget(1 / b.most);
     const double nearest = b.least - b.error;
@@ -148,14 +148,15 @@ struct NormBudget {
 using Budget = NormBudget<0>;
 using PlainBudget = NormBudget<1>;
 
-// What a kernel has checked of the W_kk and W_kl that it divides by.
+// A kernel has checked that the W_kk and W_kl by which it divides are at least these.
 inline double least_own_weight = 0, least_mixed_weight = 0;
 
 template <int level, int D>
 refitlab::Vec<NormBudget<level>, D> of_length(double most, double error = 0) {
   return refitlab::Vec<NormBudget<level>, D>::Constant(NormBudget<level>(most, error, 0));
 }
-// All coordinates of a vector have the same bounds; this is the greatest, if they were computed in different ways.
+// Returns the bound of a vector. All of its coordinates have the same bounds; this is the greatest, if they were computed in
+// different ways.
 template <class Vector>
 auto whole(const Vector& v) {
   auto out = v[0];
@@ -163,7 +164,7 @@ auto whole(const Vector& v) {
   return out;
 }
 
-// The length of a vector whose first coordinate, the real part of a quaternion, may have a bound of its own.
+// Returns the length of a vector whose first coordinate, the real part of a quaternion, may have a bound of its own.
 template <int level, int D>
 NormBudget<level> length_of(const refitlab::Vec<NormBudget<level>, D>& v) {
   auto out = whole(v);
@@ -171,7 +172,8 @@ NormBudget<level> length_of(const refitlab::Vec<NormBudget<level>, D>& v) {
   return out;
 }
 
-// A dot product has products whose rounding errors add up to u ||a|| ||b||, and partial sums that are at most ||a|| ||b||.
+// Returns a dot product. It has products whose rounding errors add up to u ||a|| ||b||, and partial sums that are at most ||a||
+// ||b||.
 template <int level, int D>
 NormBudget<level> dot_of(const refitlab::Vec<NormBudget<level>, D>& a, const refitlab::Vec<NormBudget<level>, D>& b) {
   const auto x = length_of(a), y = length_of(b);
@@ -179,7 +181,8 @@ NormBudget<level> dot_of(const refitlab::Vec<NormBudget<level>, D>& a, const ref
   const double computed = (x.most + x.error) * (y.most + y.error);
   return {x.most * y.most, exact + computed * (std::pow(1 + x.u, D) - 1), 0};
 }
-// The two products of each coordinate have errors of sqrt 2 u ||a|| ||b||, as a vector, and the differences one of theirs.
+// Returns a cross product. The two products of each coordinate have errors of sqrt 2 u ||a|| ||b||, as a vector, and the
+// differences one of theirs.
 template <int level>
 refitlab::Vec<NormBudget<level>, 3> cross_of(const refitlab::Vec<NormBudget<level>, 3>& a,
                                              const refitlab::Vec<NormBudget<level>, 3>& b) {
@@ -191,8 +194,9 @@ refitlab::Vec<NormBudget<level>, 3> cross_of(const refitlab::Vec<NormBudget<leve
   out.name = ++names, out.perpendicular_to = y.name;
   return refitlab::Vec<NormBudget<level>, 3>::Constant(out);
 }
-// Each coordinate is a dot product of four. As a vector, the products have errors of 2 u ||a|| ||b||, because the matrix of the
-// absolute values of a has a norm of at most sum |a_i| <= 2 ||a||; and so have the three sums each.
+// Returns a product of quaternions, each coordinate of which is a dot product of four. As a vector, the products have errors of 2
+// u ||a|| ||b||, because the matrix of the absolute values of a has a norm of at most sum |a_i| <= 2 ||a||; and so have the three
+// sums each.
 template <int level>
 refitlab::Quaternion<NormBudget<level>> multiply_of(const refitlab::Quaternion<NormBudget<level>>& a,
                                                     const refitlab::Quaternion<NormBudget<level>>& b) {
@@ -211,12 +215,12 @@ struct Eigen::NumTraits<proptests::oracle::NormBudget<level>> : Eigen::GenericNu
 
 namespace proptests::oracle {
 
-// The computed operands of a formula, which are exact for its own errors.
+// Returns the computed operands of a formula, which are exact for its own errors.
 template <int D>
 refitlab::Vec<PlainBudget, D> exact(const Budget& operand) {
   return of_length<1, D>(operand.most + operand.error);
 }
-// What a formula makes of inexact operands: its own errors, and how far exact results are apart.
+// Returns what a formula makes of inexact operands: its own errors, and how far exact results are apart.
 inline refitlab::Vec<Budget, 3> as_computed(const refitlab::Vec<PlainBudget, 3>& own, double most, double of_operands) {
   return of_length<0, 3>(most, whole(own).error + of_operands);
 }
@@ -234,7 +238,7 @@ struct NumberTraits<proptests::oracle::NormBudget<level>> {
   static S min(const S& a, const S& b) { return S::less_of(a, b); }
 };
 
-// The rules, in place of the templates that kernels call.
+// These rules stand in place of the templates that kernels call.
 #define PROPTESTS_RULES_OF_PRODUCTS(S)                                               \
   template <>                                                                        \
   inline S dot<S, 3>(const Vec<S, 3>& a, const Vec<S, 3>& b) {                       \
@@ -276,9 +280,9 @@ inline Vec<proptests::oracle::Budget, 3> rotate<proptests::oracle::Budget>(const
 }
 // W_kl is at most ||q_k|| ||q_l||, and P_kl at most ||q_k|| ||q_l|| ||x||, as the mean of two products of quaternions. Both are
 // linear in each operand, and so are the formulas' own errors, which are those for lengths of 1. Then no sum in the formulas is
-// longer than 1. Let q = (w, v). Of P_kl, the first two terms are w_k w_l x - v_k x (x x v_l), the first three are half of what P_kl
-// and its value for w of other signs add up to, and the fourth is half of their difference; and |w_k| ||v_l|| + |w_l| ||v_k|| and
-// |w_k w_l| + ||v_k|| ||v_l|| are at most 1, by Cauchy and Schwarz.
+// longer than 1. Let q = (w, v). Of P_kl, the first two terms are w_k w_l x - v_k x (x x v_l), the first three are half of what
+// P_kl and its value for w of other signs add up to, and the fourth is half of their difference; and |w_k| ||v_l|| + |w_l|
+// ||v_k|| and |w_k w_l| + ||v_k|| ||v_l|| are at most 1, by Cauchy and Schwarz.
 template <>
 inline MixedPair<proptests::oracle::Budget> mix_rotations<proptests::oracle::Budget>(
     const Quaternion<proptests::oracle::Budget>& a, const Quaternion<proptests::oracle::Budget>& b,

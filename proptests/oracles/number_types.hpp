@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One statement decided by every number type on the same case: no interval may contradict the exact verdict.
+// Decides one statement by every number type on the same case: no interval may contradict the exact verdict.
 #pragma once
 
 #include <rapidcheck.h>
@@ -8,7 +8,7 @@
 
 namespace proptests {
 
-// The exact verdict. Asserts that the ladder's intervals answer the same or nothing, and tags the case with the lowest
+// Returns the exact verdict. Asserts that the ladder's intervals answer the same or nothing, and tags the case with the lowest
 // rung that decides, and with "double is wrong" where plain doubles answer otherwise.
 template <class Exact = refitlab::Rational, class Statement, class... Inputs>
 refitlab::Verdict decide_by_all(const Statement& statement, const Inputs&... inputs) {

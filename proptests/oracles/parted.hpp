@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a plane between triangles and a common point of them have to be, in exact arithmetic.
+// Checks what a plane between triangles and a common point of them have to be, in exact arithmetic.
 #pragma once
 
 #include "algorithms/certificate/common_point.hpp"
@@ -12,7 +12,7 @@ inline refitlab::Rational exact_product(const refitlab::Vec<refitlab::Rational, 
   return out;
 }
 
-// All corners are strictly on the two sides.
+// Says whether all corners are strictly on the two sides.
 inline bool parts(const refitlab::PartingPlane& plane, const refitlab::TrianglePoints& a, const refitlab::TrianglePoints& b) {
   for (int i = 0; i < 3; ++i)
     if (exact_product(plane.normal, a[i]) >= plane.offset || exact_product(plane.normal, b[i]) <= plane.offset) return false;

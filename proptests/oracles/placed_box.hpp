@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A box in float that is seen from an origin, as a box in the world. Such boxes have more to spare than rounding takes here.
+// Returns a box in float that is seen from an origin as a box in the world. Such boxes have more to spare than rounding takes
+// here.
 #pragma once
 
 #include "algorithms/runtime/collide/cluster_body.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PolynomialBudget: a number type that derives the rounding budgets of determinants. A number is bounded by polynomials
-// with positive coefficients in the largest differences X, Y, Z of the vertices' coordinates, and in e, by which the true differences
+// PolynomialBudget is a number type that derives the rounding budgets of determinants. A number is bounded by polynomials with
+// positive coefficients in the largest differences X, Y, Z of the vertices' coordinates, and in e, by which the true differences
 // may be off. So one run of the code's own templates compares errors with allowances for all X, Y, Z and e, coefficient by
 // coefficient.
 #pragma once
@@ -53,12 +53,12 @@ class Polynomial {
   std::map<Powers, double> of_;
 };
 
-// Of numbers with a unit roundoff of 2^-digits.
+// Bounds numbers with a unit roundoff of 2^-digits.
 template <int digits>
 struct PolynomialBudget {
   static constexpr double u = 1.0 / double(1L << digits);
-  // The greatest share of the allowance that an error takes in any coefficient, of all determinants that were compared; and
-  // that of XYZ, which is all for vertices that are exact.
+  // These are the greatest share of the allowance that an error takes in any coefficient, of all determinants that were compared,
+  // and the share of XYZ, which is all for vertices that are exact.
   static inline double greatest_share = 0, share_of_rounding = 0;
   static inline long compared = 0;
   static inline bool are_vertices_exact = false;
@@ -76,8 +76,8 @@ struct PolynomialBudget {
     out.axis = axis;
     return out;
   }
-  // A computed difference of two vertices' coordinates is within a rounding of itself, and e, of the true one. Numbers of the
-  // slack are exact.
+  // Returns a computed difference of two vertices' coordinates, which is within a rounding of itself, and e, of the true one.
+  // Numbers of the slack are exact.
   static PolynomialBudget difference(int axis) {
     const Polynomial x = Polynomial::variable(axis);
     return {x, x * Polynomial(u) + (are_vertices_exact ? Polynomial() : Polynomial::variable(3)), x};
@@ -101,7 +101,8 @@ struct PolynomialBudget {
   friend PolynomialBudget abs(const PolynomialBudget& a) { return a; }
   // A determinant and its allowance are compared.
   friend bool operator>(const PolynomialBudget& determinant, const PolynomialBudget& allowance) {
-    if (allowance.most.is_constant()) return true;  // a check of ranges
+    // This is a check of ranges.
+    if (allowance.most.is_constant()) return true;
     for (const auto& [powers, error] : determinant.error.coefficients()) {
       const double share = error / allowance.least.at(powers);
       greatest_share = std::max(greatest_share, share);
@@ -110,7 +111,7 @@ struct PolynomialBudget {
     ++compared;
     return true;
   }
-  // For maxima, which are of equals or of 0, and for checks of ranges.
+  // Answers for maxima, which are of equals or of 0, and for checks of ranges.
   friend bool operator<(const PolynomialBudget& a, const PolynomialBudget& b) {
     return a.most == Polynomial() || b.most.is_constant();
   }

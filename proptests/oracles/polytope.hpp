@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vertices of a polytope given by half-spaces, by trying every three planes: slow, obvious, exact.
+// Finds the vertices of a polytope given by half-spaces, by trying every three planes: slow, obvious, exact.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace proptests::oracle {
 
 using HalfSpaces = std::vector<refitlab::HalfSpace<refitlab::Rational, 3>>;
 
-// A vertex as often as three planes meet in it. Empty only if the polytope, which is bounded, is.
+// Returns each vertex as often as three planes meet in it. It is empty only if the polytope, which is bounded, is.
 inline std::vector<refitlab::Vec<refitlab::Rational, 3>> vertices(const HalfSpaces& polytope) {
   using namespace refitlab;
   std::vector<Vec<Rational, 3>> out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Square roots in Rational, for code that takes one on some of its paths only: the root if it is rational, else a
-// refusal.
+// Takes square roots in Rational, for code that takes one on some of its paths only: it returns the root if it is rational, and
+// refuses otherwise.
 #pragma once
 
 #include <gmp.h>

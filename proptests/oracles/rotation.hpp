@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether two quaternions are one rotation, seen by what they do to the coordinate axes.
+// Says whether two quaternions are one rotation, seen by what they do to the coordinate axes.
 #pragma once
 
 #include "lemmas/exact/exact.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scales of a palette as they are measured: rounded up, which leaves room for terms of higher order.
+// Returns the scales of a palette as they are measured: rounded up, which leaves room for terms of higher order.
 #pragma once
 
 #include "algorithms/runtime/skinning/palette_rounding.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RunningError: a double with a bound of how far it is from what exact arithmetic would have made [Wilkinson 1963], carried
-// along operation by operation. A number type for the code's own templates: what it reports is derived from the very
+// A RunningError is a double with a bound of how far it is from what exact arithmetic would have made [Wilkinson 1963], carried
+// along operation by operation. It is a number type for the code's own templates: what it reports is derived from the very
 // operations that run.
 #pragma once
 
@@ -53,7 +53,7 @@ struct RunningError {
   }
 };
 
-// The length of a vector's errors.
+// Returns the length of a vector's errors.
 template <class Vector>
 double error_length(const Vector& v) {
   double sum = 0;

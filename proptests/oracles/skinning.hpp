@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Skinning by matrices, written from the paper's equations and from nothing in algorithms/: slow and obvious.
+// Skins by matrices, written from the paper's equations and from nothing in algorithms/: slow and obvious.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,11 +12,11 @@
 
 namespace proptests::oracle {
 
-// A 3x4 matrix (R | t), row by row.
+// An Affine is a 3x4 matrix (R | t), row by row.
 template <class S>
 using Affine = std::array<std::array<S, 4>, 3>;
 
-// The rotation matrix of a quaternion (w, x, y, z) of any length but 0, from the textbook entries, and a translation.
+// Returns the rotation matrix of a quaternion (w, x, y, z) of any length but 0, from the textbook entries, and a translation.
 template <class S>
 Affine<S> affine_of(const refitlab::Quaternion<S>& q, const refitlab::Vec<S, 3>& t) {
   const S w = q[0], x = q[1], y = q[2], z = q[3], n = w * w + x * x + y * y + z * z, two(2);
@@ -32,7 +32,7 @@ refitlab::Vec<S, 3> times(const Affine<S>& m, const refitlab::Vec<S, 3>& x) {
   return out;
 }
 
-// (sum w_i C_i) v: the matrices are blended, not the points.
+// Returns (sum w_i C_i) v: the matrices are blended, not the points.
 template <class S>
 refitlab::Vec<S, 3> linear(const std::vector<refitlab::RigidTransform<S>>& c, const std::vector<S>& w,
                            const refitlab::Vec<S, 3>& v) {
@@ -46,7 +46,7 @@ refitlab::Vec<S, 3> linear(const std::vector<refitlab::RigidTransform<S>>& c, co
   return times(blend, v);
 }
 
-// Equation (1) with the matrix Q_w of the blended quaternion.
+// Returns the vertex by equation (1) with the matrix Q_w of the blended quaternion.
 template <class S>
 refitlab::Vec<S, 3> spherical(const std::vector<refitlab::RigidTransform<S>>& c, const std::vector<S>& w,
                               const refitlab::Vec<S, 3>& center, const refitlab::Vec<S, 3>& v) {
@@ -59,7 +59,7 @@ refitlab::Vec<S, 3> spherical(const std::vector<refitlab::RigidTransform<S>>& c,
   return turned + linear(c, w, center);
 }
 
-// a b, entry by entry of the multiplication table.
+// Returns a b, entry by entry of the multiplication table.
 template <class S>
 refitlab::Quaternion<S> hamilton(const refitlab::Quaternion<S>& a, const refitlab::Quaternion<S>& b) {
   static constexpr int unit[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
@@ -70,8 +70,8 @@ refitlab::Quaternion<S> hamilton(const refitlab::Quaternion<S>& a, const refitla
   return out;
 }
 
-// The dual quaternion q + eps t q / 2 of each transform, blended; from the dual part what is along q is taken away, so
-// that the blend is a unit dual quaternion but for its length; then its matrix: the rotation of q, the translation
+// Blends the dual quaternions q + eps t q / 2 of the transforms. The part along q is taken away from the dual part, so that the
+// blend is a unit dual quaternion but for its length. Then it applies the blend's matrix: the rotation of q, and the translation
 // 2 d q* / ||q||^2, whose real part must be 0.
 template <class S>
 refitlab::Vec<S, 3> dual_quaternion(const std::vector<refitlab::RigidTransform<S>>& c, const std::vector<S>& w,
@@ -94,12 +94,12 @@ refitlab::Vec<S, 3> dual_quaternion(const std::vector<refitlab::RigidTransform<S
   return times(affine_of<S>(q, {two * t[1] / length, two * t[2] / length, two * t[3] / length}), v);
 }
 
-// The same by Eigen's own quaternions and transforms, in double.
+// These do the same by Eigen's own quaternions and transforms, in double.
 Eigen::Vector3d linear_by_eigen(std::span<const refitlab::RigidTransform<double>> c, std::span<const double> w,
                                 const Eigen::Vector3d& v);
 Eigen::Vector3d spherical_by_eigen(std::span<const refitlab::RigidTransform<double>> c, std::span<const double> w,
                                    const Eigen::Vector3d& center, const Eigen::Vector3d& v);
-// With dual numbers: the blend divided by its norm n_0 + eps n_1, then the sandwich b (1 + eps v) b'*.
+// Works with dual numbers: the blend is divided by its norm n_0 + eps n_1, and then the sandwich is b (1 + eps v) b'*.
 Eigen::Vector3d dual_quaternion_by_eigen(std::span<const refitlab::RigidTransform<double>> c, std::span<const double> w,
                                          const Eigen::Vector3d& v);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Slerp by its sines, over any number type that has them: intervals of 60 digits, and jets of those, which differentiate it.
+// Computes slerp by its sines, over any number type that has them: intervals of 60 digits, and jets of those, which differentiate
+// it.
 #pragma once
 
 #include "lemmas/exact/multiprecision_interval.hpp"
@@ -13,14 +14,15 @@ Jet<S> sin(const Jet<S>& x) {
   const S s = sin(x.value), c = cos(x.value);
   return {s, S(c * x.first), S(c * x.second - s * x.first * x.first)};
 }
-// Of |x| < 1. acos' = -1 / sqrt(1 - x^2).
+// Returns the arccosine of |x| < 1. acos' = -1 / sqrt(1 - x^2).
 template <class S>
 Jet<S> acos(const Jet<S>& x) {
   const S height = S(1) - x.value * x.value, slope = S(-1) / sqrt(height);
   return {S(acos(x.value)), S(slope * x.first), S(slope * (x.second + x.value * x.first * x.first / height))};
 }
 
-// Of unit quaternions that are neither equal nor opposite: the arc from a to b, whichever way is shorter.
+// Returns a point of the arc from a to b, even if the way to -b is shorter, for unit quaternions that are neither equal nor
+// opposite.
 template <class S>
 refitlab::Quaternion<S> slerp(const refitlab::Quaternion<S>& a, const refitlab::Quaternion<S>& b, const S& share) {
   const S angle = acos(S(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]));

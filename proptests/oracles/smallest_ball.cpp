@@ -12,7 +12,7 @@
 namespace proptests::oracle {
 namespace {
 
-// The sign of a + b sqrt(square) - y.
+// Returns the sign of a + b sqrt(square) - y.
 int sign_of_difference(const RootNumber& x, const Rational& y) {
   const Rational left = x.a - y;
   const int sign_left = CGAL::sign(left), sign_root = x.square == Rational(0) ? 0 : static_cast<int>(CGAL::sign(x.b));
@@ -21,7 +21,7 @@ int sign_of_difference(const RootNumber& x, const Rational& y) {
   return left2 == root2 ? 0 : left2 > root2 ? sign_left : sign_root;
 }
 
-// The bound that one choice of at most four balls gives, or -1 where the center is not in their hull, or not nearly.
+// Returns the bound that one choice of at most four balls gives, or -1 where the center is not in their hull, or not nearly.
 Rational bound_of(const std::vector<refitlab::Ball<double, 3>>& balls, const refitlab::Vec<double, 3>& center) {
   const int n = static_cast<int>(balls.size());
   Eigen::MatrixXd system(4, n);
@@ -47,7 +47,8 @@ Rational bound_of(const std::vector<refitlab::Ball<double, 3>>& balls, const ref
     }
     Rational length(std::sqrt(CGAL::to_double(square)) * (1 + 1e-15));
     while (length * length < square) length = length * Rational(1 + 1e-15) + Rational(1e-300);
-    if (n == 1) length = Rational(1);  // v is 0: the ball alone
+    // Here v is 0, and the ball is alone.
+    if (n == 1) length = Rational(1);
     lengths += length;
     bound += length * Rational(balls[k].radius) - product;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What proves a ball to be the smallest one, in exact arithmetic and without any solver; and CGAL's exact solver beside it.
+// Proves a ball to be the smallest one, in exact arithmetic and without any solver, and has CGAL's exact solver beside it.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ using refitlab::Rational;
 template <int D>
 using ExactPoint = refitlab::Vec<Rational, D>;
 
-// The claim that a ball is the smallest around points: its center is a convex combination of some of them.
+// Holds the claim that a ball is the smallest around points: its center is a convex combination of some of them.
 template <int D>
 struct BallClaim {
   ExactPoint<D> center;
@@ -35,8 +35,8 @@ BallClaim<D> claim_of(const auto& smallest) {
   return claim;
 }
 
-// It encloses, the support lies on the boundary, the center is a convex combination of the support. Such a ball is
-// smallest: for any center x, sum u_k ||p_k - x||^2 = squared_radius + ||center - x||^2.
+// Says whether it encloses, the support lies on the boundary, and the center is a convex combination of the support. Such a ball
+// is smallest: for any center x, sum u_k ||p_k - x||^2 = squared_radius + ||center - x||^2.
 template <int D>
 bool certifies(std::span<const ExactPoint<D>> points, const BallClaim<D>& claim) {
   const auto squared_distance = [&](const ExactPoint<D>& p) {
@@ -59,9 +59,9 @@ bool certifies(std::span<const ExactPoint<D>> points, const BallClaim<D>& claim)
   return total == Rational(1) && blend == claim.center;
 }
 
-// No enclosing ball has a smaller squared radius than this: for u >= 0 of sum 1 and any center x, max ||p_k - x||^2 >=
-// sum u_k ||p_k - x||^2 >= sum u_k ||p_k||^2 - ||sum u_k p_k||^2. The coefficients are divided by their sum; -1 if one
-// is negative.
+// Returns a lower bound of the squared radii of enclosing balls: for u >= 0 of sum 1 and any center x, max ||p_k - x||^2 >= sum
+// u_k ||p_k - x||^2 >= sum u_k ||p_k||^2 - ||sum u_k p_k||^2. The coefficients are divided by their sum. Returns -1 if one is
+// negative.
 template <int D>
 Rational squared_radius_at_least(std::span<const ExactPoint<D>> points, const BallClaim<D>& claim) {
   Rational total(0), squares(0), square_of_mean(0);
@@ -80,12 +80,12 @@ Rational squared_radius_at_least(std::span<const ExactPoint<D>> points, const Ba
   return squares / total - square_of_mean / (total * total);
 }
 
-// No ball that encloses all these balls has a smaller radius than this. For any c_k -> x direction: with vectors v_k of sum 0
-// and lengths at most l_k, sum l_k = 1, every center x has max (||x - c_k|| + r_k) >= sum (l_k r_k - <v_k, c_k>). The v_k are
-// taken from the center given; a poor center gives a low bound, never a wrong one.
+// Returns a lower bound of the radii of balls that enclose all these balls. With vectors v_k of sum 0 and lengths at most l_k,
+// sum l_k = 1, every center x has max (||x - c_k|| + r_k) >= sum (l_k r_k - <v_k, c_k>). The v_k are taken from the center given;
+// a poor center gives a low bound, never a wrong one.
 Rational radius_at_least(std::span<const refitlab::Ball<double, 3>> balls, const refitlab::Vec<double, 3>& center);
 
-// a + b sqrt(square), as CGAL gives the results of its exact solver.
+// Holds a + b sqrt(square), as CGAL gives the results of its exact solver.
 struct RootNumber {
   Rational a, b, square;
 };
@@ -98,7 +98,7 @@ struct CgalBall {
   RootNumber radius;
 };
 
-// CGAL's Min_sphere_of_spheres_d over an exact number type, for D = 2, 3, 4.
+// Returns the ball of CGAL's Min_sphere_of_spheres_d over an exact number type, for D = 2, 3, 4.
 template <int D>
 CgalBall<D> smallest_ball_by_cgal(std::span<const refitlab::Ball<Rational, D>> balls);
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether two triangles have a point in common, in exact arithmetic.
+// Decides whether two triangles have a point in common, in exact arithmetic.
 #pragma once
 
 #include "algorithms/runtime/collide/triangles_filter.hpp"
 
 namespace proptests::oracle {
 
-// Two triangles meet if and only if 0 is a convex combination of the nine differences of their corners.
+// Says whether two triangles meet, which they do if and only if 0 is a convex combination of the nine differences of their
+// corners.
 bool triangles_meet(const refitlab::TrianglePoints& a, const refitlab::TrianglePoints& b);
 
 }  // namespace proptests::oracle

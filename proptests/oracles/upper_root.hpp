@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rational number just above a square root, for radii that must be rational and enclose.
+// Computes a rational number just above a square root, for radii that must be rational and enclose.
 #pragma once
 
 #include <gmp.h>
@@ -8,9 +8,9 @@
 
 namespace proptests {
 
-// sqrt(x) itself if it is rational; else above it by less than 2^-40 / the denominator of x. x >= 0.
+// Returns sqrt(x) itself if it is rational, and otherwise a number above it by less than 2^-40 / the denominator of x. x >= 0.
 inline refitlab::Rational upper_root(const refitlab::Rational& x) {
-  // sqrt(n / d) = sqrt(n d 4^40) / (2^40 d).
+  // The root is sqrt(n / d) = sqrt(n d 4^40) / (2^40 d).
   CGAL::Gmpz product = x.numerator() * x.denominator(), floor, rest;
   mpz_mul_2exp(product.mpz(), product.mpz(), 80);
   mpz_sqrtrem(floor.mpz(), rest.mpz(), product.mpz());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which points a volume in double has, its numbers taken as they stand.
+// Says which points a volume in double has, with its numbers taken as they stand.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace proptests::oracle {
 
-// The numbers of double as they are.
+// Returns the same volume in rationals: the numbers of double stay as they are.
 template <int k>
 refitlab::KDop<refitlab::Rational, k> as_exact(const refitlab::KDop<double, k>& dop) {
   refitlab::KDop<refitlab::Rational, k> out;
@@ -23,7 +23,7 @@ inline refitlab::Obb<refitlab::Rational> as_exact(const refitlab::Obb<double>& b
   return out;
 }
 
-// Whether all of space is meant: each slab is from minus infinity to infinity.
+// Says whether all of space is meant: each slab is from minus infinity to infinity.
 inline bool is_all_of_space(const refitlab::Volume& volume) {
   return std::visit(
       [](const auto& v) {
@@ -34,7 +34,7 @@ inline bool is_all_of_space(const refitlab::Volume& volume) {
       volume);
 }
 
-// Whether the point is in the volume. One that is not finite has a point only if it is all of space.
+// Says whether the point is in the volume. One that is not finite has a point only if it is all of space.
 inline bool has(const refitlab::Volume& volume, const refitlab::Vec<refitlab::Rational, 3>& point) {
   if (is_all_of_space(volume)) return true;
   return std::visit(

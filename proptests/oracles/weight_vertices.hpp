@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The weight vertices of weight bounds from nothing in algorithms/: every pattern is tried, and hulls are climbed down
-// pair by pair.
+// Computes the weight vertices of weight bounds from nothing in algorithms/: every pattern is tried, and hulls are descended pair
+// by pair.
 #pragma once
 
 #include <map>
@@ -15,14 +15,14 @@ namespace proptests::oracle {
 using ExactWeights = std::vector<refitlab::Rational>;
 using ExactBounds = refitlab::WeightBounds<refitlab::Rational>;
 
-// All n 2^(n-1) choices of one loose coordinate and a bound for each other one, those kept that are admissible.
+// Returns those of all n 2^(n-1) choices of one loose coordinate and a bound for each other one that are admissible.
 std::set<ExactWeights> weight_vertices(const ExactBounds& bounds);
 
-// Admissible weights as a convex combination: weight vertices with positive coefficients. While two coordinates are off
+// Returns admissible weights as a convex combination: weight vertices with positive coefficients. While two coordinates are off
 // their bounds, the weights lie between the two ends of the line that trades one for the other.
 std::map<ExactWeights, refitlab::Rational> as_combination_of_weight_vertices(const ExactBounds& bounds, const ExactWeights& w);
 
-// The least and the greatest weights of a list of weight vectors.
+// Returns the least and the greatest weights of a list of weight vectors.
 ExactBounds bounds_around(const std::vector<ExactWeights>& list);
 
 }  // namespace proptests::oracle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Workers that share tasks among so many threads, however few cores there are.
+// Makes workers that share tasks among so many threads, however few cores there are.
 #pragma once
 
 #include <atomic>

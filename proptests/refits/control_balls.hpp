@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is tested of control balls, those of spherical and those of dual quaternion skinning alike. Hull is one of the two kinds.
+// Tests control balls, those of spherical and those of dual quaternion skinning alike. Hull is one of the two kinds.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/hull_of_balls.hpp"
-#include "proptests/oracles/rational_root.hpp"  // the control points need no root, only the fallback does
+#include "proptests/oracles/rational_root.hpp"  // The control points need no root, only the fallback does.
 
 namespace proptests::oracle {
 
@@ -51,7 +51,7 @@ std::vector<refitlab::Ball3<S>> balls_of(const gen::RefitCase& c) {
   return {balls.begin(), balls.end()};
 }
 
-// How many balls a case has if nothing is halved.
+// Returns how many balls a case has if nothing is halved.
 template <class Hull>
 std::size_t count_without_halving(const gen::RefitCase& c) {
   std::size_t sum = 0;
@@ -62,7 +62,7 @@ std::size_t count_without_halving(const gen::RefitCase& c) {
   return sum;
 }
 
-// The hull of the balls has every sample of the case, as far as a random direction and the best found one show.
+// Asserts that the hull of the balls has every sample of the case, as far as a random direction and the best found one show.
 template <class Hull, class S>
 void assert_holds(const gen::RefitCase& c, const std::vector<refitlab::Ball3<S>>& balls, refitlab::Verdict at_least) {
   using namespace refitlab;
@@ -72,19 +72,20 @@ void assert_holds(const gen::RefitCase& c, const std::vector<refitlab::Ball3<S>>
     if (!v) continue;
     const Point3 away = direction_away(rounded, lift<double>(*v));
     std::vector<gen::RationalVec<3>> directions{*gen::nonzero_vector<3>()};
-    if (away.allFinite()) directions.push_back(convert<Rational>(away));  // not from a ball that is all of space
+    // A ball that is all of space gives no such direction.
+    if (away.allFinite()) directions.push_back(convert<Rational>(away));
     for (const auto& d : directions) RC_ASSERT(reaches<S>(balls, lift<S>(*v), lift<S>(d)) >= at_least);
   }
 }
 
-// A case as random ones are made, with its degeneracies counted.
+// Draws a case as random ones are made, and counts its degeneracies.
 inline gen::RefitCase random_case(gen::Turns turns) {
   const gen::RefitCase c = *gen::refit_case(turns);
   RC_CLASSIFY(!gen::degeneracies(c).empty(), "degenerate");
   return c;
 }
 
-// How often the balls of random cases should be exact, halved, or those of the fallback.
+// Says how often the balls of random cases should be exact, halved, or those of the fallback.
 inline Options options_of_hull(const std::string& form) {
   return {.form = form,
           .number_type = "rational",
@@ -94,8 +95,8 @@ inline Options options_of_hull(const std::string& form) {
           .tags_at_least = {{"exact", 0.5}, {"halved", 0.05}, {"fallback", 0.02}}};
 }
 
-// The hull holds the case's samples in rationals, or in intervals on the fallback. There is no rational for all of space: then this
-// throws what all_of_space does.
+// Checks that the hull holds the case's samples in rationals, or in intervals on the fallback. There is no rational for all of
+// space: then this throws what all_of_space does.
 template <class Hull>
 void check_hull(const gen::RefitCase& c) {
   using namespace refitlab;
@@ -108,7 +109,8 @@ void check_hull(const gen::RefitCase& c) {
   } catch (const NoRationalRoot&) {
     RC_TAG("fallback");
     assert_holds<Hull, MultiprecisionInterval>(c, balls_of<Hull, MultiprecisionInterval>(c),
-                                               Verdict::undecided);  // on the boundary of a cap's ball
+                                               // Such a sample is on the boundary of a cap's ball.
+                                               Verdict::undecided);
   }
 }
 
@@ -122,7 +124,7 @@ void check_moderate_turns() {
   assert_holds<Hull, Rational>(c, balls, Verdict::holds);
 }
 
-// At most 16 times the control points of each piece, all of them finite; or one ball of all of space.
+// Checks that there are at most 16 times the control points of each piece, all of them finite, or one ball of all of space.
 template <class Hull>
 void check_halving_ends(bool may_be_unbounded) {
   const gen::RefitCase c = random_case(gen::Turns::any);
@@ -135,7 +137,7 @@ void check_halving_ends(bool may_be_unbounded) {
   for (const auto& b : balls) RC_ASSERT(std::isfinite(b.radius));
 }
 
-// A piece with a ball of its own has the balls that it has alone, with that ball for its reference.
+// Checks that a piece with a ball of its own has the balls that it has alone, with that ball for its reference.
 template <class Hull>
 void check_own_balls() {
   using namespace refitlab;
@@ -157,7 +159,7 @@ void check_own_balls() {
   RC_ASSERT(first == balls.size());
 }
 
-// How far the policy's ball of double misses the exactly skinned vertices of the same doubles: at most 1e-12 of the
+// Checks how far the policy's ball of double misses the exactly skinned vertices of the same doubles: at most 1e-12 of the
 // coordinates' size.
 template <class Hull, class Policy>
 void check_double() {
@@ -190,7 +192,7 @@ void balls_in_double(Suite& t) {
           check_double<Hull, refitlab::SmallestBalls>);
 }
 
-// The middles of the intervals.
+// Returns balls with the middles of the intervals.
 inline std::vector<refitlab::Ball3<double>> middles(const std::vector<refitlab::Ball3<refitlab::MultiprecisionInterval>>& balls) {
   const auto middle = [](const refitlab::MultiprecisionInterval& x) { return static_cast<double>(median(x)); };
   std::vector<refitlab::Ball3<double>> out;
@@ -198,8 +200,9 @@ inline std::vector<refitlab::Ball3<double>> middles(const std::vector<refitlab::
   return out;
 }
 
-// Random joint-sets of joints that turn about near points by at most 120 degrees against each other, r = 0: the smallest ball of the
-// control points over the smallest ball of densely sampled true positions. The weight vertices are drawn towards their middle.
+// Measures the smallest ball of the control points over the smallest ball of densely sampled true positions. It draws random
+// joint-sets of joints that turn about near points by at most 120 degrees against each other, with r = 0. The weight vertices are
+// drawn towards their middle.
 template <class Hull>
 Checked measure_tightness(unsigned seed) {
   using namespace refitlab;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Deciding whether a refitted ball encloses a rational point: the refit itself runs in ever more precise intervals, and
-// at last, for points on its surface, its ball in squared form is asked.
+// Decides whether a refitted ball encloses a rational point. The refit itself runs in ever more precise intervals, and at last,
+// for points on its surface, its ball in squared form is asked.
 #pragma once
 
 #include <map>
@@ -15,13 +15,13 @@ namespace proptests::oracle {
 template <class Refit>
 class RefitLadder {
  public:
-  // exact: the same ball in squared form, where there is one.
+  // exact is the same ball in squared form, where there is one.
   RefitLadder(const gen::RefitCase& c, Refit refit, std::optional<RootBall> exact = std::nullopt)
       : case_(c),
         refit_(refit),
         exact_(std::move(exact)) {}
 
-  // The verdict is undecided only if the point is on the surface up to 60 digits and there is no squared form.
+  // Returns the decision, which is undecided only if the point is on the surface up to 60 digits and there is no squared form.
   refitlab::Decision encloses(const gen::RationalVec<3>& point) {
     using namespace refitlab;
     if (const Verdict v = on_rung(interval_, point); v != Verdict::undecided) return {v, Rung::interval};
@@ -43,7 +43,7 @@ class RefitLadder {
   std::optional<refitlab::Ball3<refitlab::MultiprecisionInterval>> multiprecision_;
 };
 
-// How many points each rung decided, and how many none did.
+// Counts how many points each rung decided, and how many none did.
 struct RungTally {
   static constexpr const char* none = "none, on the surface to 60 digits";
   std::map<std::string, long> counts;

@@ -19,7 +19,7 @@ std::optional<Rational> rational_root(const Rational& x) {
   return Rational(CGAL::sqrt(n), CGAL::sqrt(d));
 }
 
-// Along the sum of q_k / ||q_k||, if the lengths are in rational ratios.
+// Returns a quaternion along the sum of q_k / ||q_k||, if the lengths are in rational ratios.
 std::optional<RationalQuaternion> mean_direction(const std::vector<RationalQuaternion>& blends) {
   RationalQuaternion sum = RationalQuaternion::Zero();
   for (const auto& q : blends) {
@@ -30,7 +30,7 @@ std::optional<RationalQuaternion> mean_direction(const std::vector<RationalQuate
   return sum;
 }
 
-// The ball of the images of u under the blends.
+// Returns the ball of the images of u under the blends.
 std::optional<SquaredBall<Rational, 3>> images(const std::vector<RationalQuaternion>& blends, const RationalVec<3>& u,
                                                Gather gather) {
   const SquaredBall<Rational, 3> all{RationalVec<3>::Zero(), squared_norm(u)};

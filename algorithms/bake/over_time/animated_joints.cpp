@@ -9,7 +9,7 @@
 namespace refitlab {
 namespace {
 
-// Enough for ten thousand poses of a hundred joints.
+// This is enough for ten thousand poses of a hundred joints.
 constexpr std::size_t bytes_of_poses = std::size_t(128) << 20;
 
 }  // namespace

@@ -14,8 +14,8 @@
 namespace refitlab {
 namespace {
 
-// This factor allows for the roundings of sums and products of lengths, none of which cancels: some ten for each node of a chain, and
-// chains are far shorter than 2^16.
+// This factor allows for the roundings of sums and products of lengths, none of which cancels: some ten for each node of a chain,
+// and chains are far shorter than 2^16.
 constexpr double room_for_rounding = 1 + 0x1p-30;
 
 std::vector<int> path_to(const std::vector<SceneNode>& nodes, int node) {
@@ -25,7 +25,7 @@ std::vector<int> path_to(const std::vector<SceneNode>& nodes, int node) {
   return path;
 }
 
-// What vertices of one joint-set may be apart from its joints and from the model's origin.
+// Holds how far vertices of one joint-set may be from its joints and from the model's origin.
 struct Lengths {
   std::vector<double> computed, summed;  // by joint, as in ImageLength
   double from_origin = 0;

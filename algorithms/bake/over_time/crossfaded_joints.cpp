@@ -91,8 +91,8 @@ Side side_of_middle(const ParameterRange& range) {
   return middle_of(range) < range.end ? Side::after : side_of_end(range.start, range.end);
 }
 
-// Returns the parameter whose halving tells most of a rotation that is not known: the time that turns more or, where neither turns, the one
-// that has several parts, since only a box of one part each is split by signs; else the weight.
+// Returns the parameter whose halving tells most of a rotation that is not known: the time that turns more or, where neither
+// turns, the one that has several parts, since only a box of one part each is split by signs; else the weight.
 std::size_t parameter_to_halve(const double (&turned)[2], const std::vector<ParameterRange>& ranges) {
   if (turned[0] + turned[1] > 0) return turned[0] >= turned[1] ? 0 : 1;
   for (const std::size_t k : {0, 1})

@@ -52,7 +52,7 @@ std::vector<std::vector<int>> meshlets(const Model& model, const std::vector<int
     std::rotate(key.begin(), std::min_element(key.begin(), key.end()), key.end());
     triangle_of[key].push_back(t);
   }
-  // As seen at a size of 1, where floats neither overflow nor underflow when they are squared.
+  // The positions are seen at a size of 1, where floats neither overflow nor underflow when they are squared.
   double size = 0;
   for (const unsigned v : indices) size = std::max(size, model.vertices[v].cwiseAbs().maxCoeff());
   const int exponent = size > 0 ? std::ilogb(size) : 0;
@@ -98,9 +98,9 @@ std::vector<Point3> directions_of_dop(int dop) {
   return out;
 }
 
-// Widens a bound by what renderers lose, and by what a vertex is off because its weights are multiples of 2^-24 (quantize.hpp), each of
-// them off by less than that, and those that are rounded to 0 by themselves. Throws ModelError, with this thing of the file, if floats do
-// not hold the bound.
+// Widens a bound by what renderers lose, and by what a vertex is off because its weights are multiples of 2^-24 (quantize.hpp),
+// each of them off by less than that, and those that are rounded to 0 by themselves. Throws ModelError, with this thing of the
+// file, if floats do not hold the bound.
 BoundedPart outward(const BoundOverTime& bound, int joints, double renderer_rounding, const std::string& file,
                     const std::string& thing) {
   Box<double> box = box_of(bound.slabs);

@@ -52,7 +52,8 @@ struct ModelBounds {
   std::vector<BoundedClip> clips;                  // those of the model, in order
   RotationBlend rotations = RotationBlend::slerp;  // as crossfades blend them
   std::vector<BoundedCrossfade> crossfades;        // of each two clips; empty unless asked for
-  // By part, clusters left out, and none where bound_any_pose has none; empty unless asked for.
+  // These bounds come by part, without the clusters, and are missing where bound_any_pose has none. The list is empty unless
+  // asked for.
   std::vector<std::optional<AnyPoseBound>> any_pose;
   std::vector<BoundedPart> rest;        // by part: the joints where the file's nodes leave them without a clip
   std::vector<BoundedPart> rest_nodes;  // the same by node
@@ -73,8 +74,8 @@ struct ModelBoundsOptions {
   RotationBlend rotations = RotationBlend::slerp;  // of crossfades
   bool any_pose = false;                           // bound what poses of code could do, too
   bool with_intervals = false;                     // keep the intervals of the clips' bounds
-  // Bounds are wider by this share of the distance of a vertex's images by its joints from the scene's origin, because a renderer skins
-  // in float and is off by as much. Where blended quaternions are short, they are wider by more (ErrorGrowth).
+  // Bounds are wider by this share of the distance of a vertex's images by its joints from the scene's origin, because a renderer
+  // skins in float and is off by as much. Where blended quaternions are short, they are wider by more (ErrorGrowth).
   double renderer_rounding = 0x1p-19;
   // This is called with the share that is done, from any thread, one call at a time.
   std::function<void(double)> progress = {};
@@ -84,8 +85,8 @@ struct ModelBoundsOptions {
 // for cluster_triangles out of range.
 std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles);
 
-// Bounds the parts of a model, on all processors. Throws ModelError where there is no bound or floats do not hold it, and for a model
-// without keys,
+// Bounds the parts of a model, on all processors. Throws ModelError where there is no bound or floats do not hold it, and for a
+// model without keys,
 // std::invalid_argument for a k that is none of dop_sizes, and what parts_of throws.
 ModelBounds bound_model(const Model& model, const ModelBoundsOptions& options = {});
 

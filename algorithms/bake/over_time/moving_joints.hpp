@@ -94,8 +94,8 @@ class MovingJoints {
   // Splits the box in two at a value of this parameter, or by a sign if part of its motion is not known. Returns nothing if there
   // is no value in between.
   virtual std::vector<ParameterBox> halves(const ParameterBox& box, std::size_t parameter, bool is_known) const = 0;
-  // Returns the joints at a moment. Throws ModelError for a pose that is asked for and is not rigid, and for a matrix or weight that is
-  // not finite.
+  // Returns the joints at a moment. Throws ModelError for a pose that is asked for and is not rigid, and for a matrix or weight
+  // that is not finite.
   virtual std::shared_ptr<const PosedJoints> at(const ParameterMoment& moment) const = 0;
 };
 

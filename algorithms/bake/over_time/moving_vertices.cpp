@@ -82,8 +82,8 @@ Point3 image(const Eigen::Matrix4d& matrix, const Point3& v) {
   return matrix.topLeftCorner<3, 3>() * v + matrix.topRightCorner<3, 1>();
 }
 
-// The least-squares center is not moved from the prior in directions in which the rotations of so many joints differ little. Returns by
-// how much they differ there at most: the square root of the sum over pairs (rotation_center.hpp).
+// The least-squares center is not moved from the prior in directions in which the rotations of so many joints differ little.
+// Returns by how much they differ there at most: the square root of the sum over pairs (rotation_center.hpp).
 double tolerance_of_center(std::size_t joints) {
   const double pairs = static_cast<double>(joints * (joints - 1)) / 2;
   return joints == 2 ? 1e-4 : 1e-4 + 2e-3 * std::sqrt(pairs);
@@ -382,27 +382,27 @@ double MovingVertices::farthest_image(const Set& set, const JointCell& cell) con
   return size;
 }
 
-// A dual quaternion whose parts are q and d carries a vertex, seen from where it is before it is skinned, to the imaginary part of
-// 2 d q* / ||q||^2. Let A be the greatest length of an image by one joint. Then ||d|| <= A / 2, for the joints' unit dual quaternions and so
-// for their blend. Let weights change by e together, and their sum and the signs of quaternions stay. Then d changes by A e / 2 at most,
-// q by e, and q* / ||q||^2 by e / (||q|| ||q'||), where q' is the changed blend. That is A e (1 / ||q|| + 1 / (||q|| ||q'||)) in all. Here
-// ||q|| stands for ||q'||, which is less by e at most; rounding to multiples of 2^-24 makes an e of half a unit a joint, and a whole unit
-// is counted (model_bounds.cpp).
+// A dual quaternion whose parts are q and d carries a vertex, seen from where it is before it is skinned, to the imaginary part
+// of 2 d q* / ||q||^2. Let A be the greatest length of an image by one joint. Then ||d|| <= A / 2, for the joints' unit dual
+// quaternions and so for their blend. Let weights change by e together, and their sum and the signs of quaternions stay. Then d
+// changes by A e / 2 at most, q by e, and q* / ||q||^2 by e / (||q|| ||q'||), where q' is the changed blend. That is A e (1 /
+// ||q|| + 1 / (||q|| ||q'||)) in all. Here ||q|| stands for ||q'||, which is less by e at most; rounding to multiples of 2^-24
+// makes an e of half a unit a joint, and a whole unit is counted (model_bounds.cpp).
 double MovingVertices::growth_of_blend(const Set& set, const JointCell& cell) const {
   if (!blends(set)) return 1;
   const double least = std::sqrt(std::max(squared_blend(set, rotations(set, cell)), squared_shortest_blend));
   return 1 / least + 1 / sq(least);
 }
 
-// Spherical blending carries v to Q u + sum w_k C_k c, where c is the rotation center, u = v - c, C_k is the k-th of n transforms, R_k its
-// rotation, and Q that of the blend q of the unit quaternions q_k. Let y be the mean of the R_k u, and d_k = R_k u - y. Then
-// q_k u = R_k u q_k, and so Q u = q u q^-1 is y plus the imaginary part of (sum w_k d_k q_k) q^-1, which changes as that of the dual
-// quaternions above does, with the greatest ||d_k|| in the place of A. Since C_k c = C_k v - R_k u, the vertex is
-// sum w_k C_k v + (Q u - y) - sum w_k d_k. So it changes by e (A + ||d|| (1 + g)) at most, where g is the growth above. Finally,
-// n sum ||d_k||^2 is the sum over pairs of ||(R_k - R_l) u||^2. The center makes that no more than the sum of ||C_k v - C_l v||^2, which is
-// n times a sum of n squares of at most A: C_k v - C_l v is (R_k - R_l) u plus C_k c - C_l c, and the latter is least squares' residual,
-// at right angles to all that moves c. In directions in which rotations hardly differ, c stays with the prior, and there
-// ||(R_k - R_l) u|| is at most the tolerance of that, times the distance from the prior.
+// Spherical blending carries v to Q u + sum w_k C_k c, where c is the rotation center, u = v - c, C_k is the k-th of n
+// transforms, R_k its rotation, and Q that of the blend q of the unit quaternions q_k. Let y be the mean of the R_k u, and d_k =
+// R_k u - y. Then q_k u = R_k u q_k, and so Q u = q u q^-1 is y plus the imaginary part of (sum w_k d_k q_k) q^-1, which changes
+// as that of the dual quaternions above does, with the greatest ||d_k|| in the place of A. Since C_k c = C_k v - R_k u, the
+// vertex is sum w_k C_k v + (Q u - y) - sum w_k d_k. So it changes by e (A + ||d|| (1 + g)) at most, where g is the growth above.
+// Finally, n sum ||d_k||^2 is the sum over pairs of ||(R_k - R_l) u||^2. The center makes that no more than the sum of ||C_k v -
+// C_l v||^2, which is n times a sum of n squares of at most A: C_k v - C_l v is (R_k - R_l) u plus C_k c - C_l c, and the latter
+// is least squares' residual, at right angles to all that moves c. In directions in which rotations hardly differ, c stays with
+// the prior, and there ||(R_k - R_l) u|| is at most the tolerance of that, times the distance from the prior.
 ErrorGrowth MovingVertices::error_growth(const Set& set, const JointCell& cell) const {
   const std::size_t kept = joint_sets_.joints(set.index).size();
   const double image = farthest_image(set, cell), growth = growth_of_blend(set, cell);

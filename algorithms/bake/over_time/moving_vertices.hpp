@@ -30,13 +30,13 @@ enum class Finite { may_be, must_be };
 
 // Says what a vertex is off by at most, in units of the file.
 struct ErrorGrowth {
-  // This is for each unit of relative error in a skinning's steps. It is the greatest distance from the scene's origin of an image of a
-  // vertex by one of its joints, even if the images mostly cancel; and more where blended quaternions are short.
+  // This is for each unit of relative error in a skinning's steps. It is the greatest distance from the scene's origin of an
+  // image of a vertex by one of its joints, even if the images mostly cancel; and more where blended quaternions are short.
   double per_rounding = 0;
   // This is the same for each unit of the sum of the weights' absolute errors.
   double per_weight = 0;
-  // This is the error from the file's joints whose weights are rounded to 0 (LostInfluence), however far these carry the vertex. Signs of
-  // blended quaternions are those to the first joint that stays.
+  // This is the error from the file's joints whose weights are rounded to 0 (LostInfluence), however far these carry the vertex.
+  // Signs of blended quaternions are those to the first joint that stays.
   double of_lost_influences = 0;
 
   // Raises each to the other's, if that is greater.
@@ -61,8 +61,8 @@ class MovingVertices {
   // Computes the points that are followed, by position in vertices(), in the scene's frame and units of the file.
   void place(const PosedJoints& posed, Followed followed, std::vector<Point3>& points) const;
 
-  // Returns the slack of all vertices throughout the cell. Dual quaternions whose blend may vanish are followed only if it must be
-  // finite, and then by their linear blend (b7_motion_bound), which is loose.
+  // Returns the slack of all vertices throughout the cell. Dual quaternions whose blend may vanish are followed only if it must
+  // be finite, and then by their linear blend (b7_motion_bound), which is loose.
   // Throws ModelError if it must but there is no bound, which happens for a blend of three or more rotations that may vanish.
   CellSlack slack(const JointCell& cell, Finite finite) const;
 
@@ -97,8 +97,8 @@ class MovingVertices {
 
   // Returns a vertex before it is skinned, displaced by the weights of a moment.
   Point3 displaced(int i, const PosedJoints& posed) const;
-  // Returns the motion of the set's vertices in the frame of its k-th joint, before that moves (a3_morph_displacement). Lengths are those
-  // of the images, or of what these are summed up from.
+  // Returns the motion of the set's vertices in the frame of its k-th joint, before that moves (a3_morph_displacement). Lengths
+  // are those of the images, or of what these are summed up from.
   enum class Lengths { of_images, of_summands };
   Motion<double> below(const Set& set, std::size_t k, const JointMotions& motions, Lengths lengths) const;
   Motion<double> linear_motion(const Set& set, const JointMotions& motions) const;
@@ -106,7 +106,8 @@ class MovingVertices {
   Motion<double> dual_motion(const Set& set, const JointMotions& motions, double squared_least) const;
   // Returns the rounding error of the computed rotations and images of the set's joints, relative to the sizes of their summands.
   double relative_rounding(const Set& set, const JointCell& cell) const;
-  // Returns the greatest distance from the scene's origin of an image of a vertex by the set's k-th joint, or by any of the joint-set's.
+  // Returns the greatest distance from the scene's origin of an image of a vertex by the set's k-th joint, or by any of the
+  // joint-set's.
   double farthest_image(const Set& set, std::size_t k, int joint, const JointCell& cell) const;
   double farthest_image(const Set& set, const JointCell& cell) const;
   // Returns whether quaternions of several joints are blended, those of lost influences included.
@@ -121,8 +122,8 @@ class MovingVertices {
   // vanish.
   std::vector<double> linear_chords(const Set& set, const JointCell& cell) const;
   std::vector<double> dual_chords(const Set& set, const JointCell& cell) const;
-  // Returns how far linear blends are from the interpolation of the corners at most, however fast they move: both are no farther from
-  // the scene's origin than the vertices ever are. That is loose.
+  // Returns how far linear blends are from the interpolation of the corners at most, however fast they move: both are no farther
+  // from the scene's origin than the vertices ever are. That is loose.
   double widest_chord(const Set& set, const JointCell& cell) const;
   // Writes to beyond how far the set's skinned vertices are from their linear blends, whose chord is known. If the blends may
   // vanish, it returns false, or throws ModelError if it must be finite.

@@ -60,12 +60,13 @@ double defect_of(const BoundSkeleton& skeleton, const std::vector<Stretch>& link
 // This is the error of a point that a matrix carries, relative to the sum of the summands' sizes.
 inline constexpr double rounding_of_image = 32 * std::numeric_limits<double>::epsilon() / 2;
 
-// How long what a joint's offset makes of a vertex is at most: with room for the rounding of the computed length, and as the sum of what
-// it is made of, which may cancel.
+// Holds how long at most the image of a vertex by a joint's offset is: with room for the rounding of the computed length, and as
+// the sum of its terms, which may cancel.
 struct ImageLength {
   double computed, summed;
 };
-// A vertex and its displacement by d are also made of what the file's own offset and coordinates are, which a renderer begins with.
+// A vertex and its displacement by d are also made of what the file's own offset and coordinates are, which a renderer begins
+// with.
 ImageLength length_of_vertex(const Model& model, const Eigen::Matrix4d& offset, int vertex);
 ImageLength length_of_displacement(const Model& model, const Eigen::Matrix4d& offset, int vertex, const Point3& d);
 

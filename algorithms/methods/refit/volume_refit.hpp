@@ -11,9 +11,9 @@
 
 namespace refitlab {
 
-// Returns the control balls. Of linear skinning joints may be affine. In float and double the balls have a slack for all rounding:
-// their own, and that of a coordinate along a direction of a volume, which is off by less than 8 u of the center's length and of
-// the radius.
+// Returns the control balls. Of linear skinning joints may be affine. In float and double the balls have a slack for all
+// rounding: their own, and that of a coordinate along a direction of a volume, which is off by less than 8 u of the center's
+// length and of the radius.
 template <Skinning skinning, class S>
 std::span<const Ball3<S>> certified_control_balls(const RefitNode<S>& node, ControlLists<S>& lists) {
   static_assert(skinning != Skinning::hejl, "its poses are bounded as spherical");

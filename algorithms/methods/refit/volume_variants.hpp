@@ -20,8 +20,9 @@ struct VolumeVariant {
   std::string description;  // one line for tables and reports
   Skinning skinning;        // whose vertices it bounds
   Pieces pieces;
-  // Refits one node in the pose of node.palette, whose joints may be affine if skinning is linear. It is thread-safe and proved to
-  // enclose the vertices, skinned exactly or by skin(). It is all of space if some admissible blend of dual quaternions may be 0.
+  // Refits one node in the pose of node.palette, whose joints may be affine if skinning is linear. It is thread-safe and proved
+  // to enclose the vertices, skinned exactly or by skin(). It is all of space if some admissible blend of dual quaternions may be
+  // 0.
   Volume (*refit)(const RefitNode<double>& node);
   // Returns a volume of the same kind around balls. balls is not empty.
   Volume (*around)(std::span<const Ball3<double>> balls);

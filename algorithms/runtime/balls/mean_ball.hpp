@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The mean ball is centered at the mean of the centers, with the smallest radius that encloses all (paper 4.4, the BOUNDINGSPHERE
-// of Algorithm 1 [James and Pai 2004]). In float and double the ball may miss some by rounding; rounded_up (round_up.hpp) makes up
-// for that.
+// of Algorithm 1 [James and Pai 2004]). In float and double the ball may miss some by rounding; rounded_up (round_up.hpp) makes
+// up for that.
 #pragma once
 
 #include <span>

@@ -21,9 +21,9 @@ constexpr S underflow_of_distance() {
 }
 
 // Returns a ball of slightly greater radius that encloses some balls [c_k, r_k], although the radius was rounded. It was computed
-// as the greatest norm(c_k - center) + r_k, by squared distances and roots. With u = epsilon / 2: differences, squares and sums of at most four squares make a squared distance off by at most 6 u of
-// itself, its root by 4 u with its own rounding, the sum by 5 u, and one more sum by 6 u. Sixteen also cover what is
-// rounded here. Infinity and NaN stay.
+// as the greatest norm(c_k - center) + r_k, by squared distances and roots. With u = epsilon / 2: differences, squares and sums
+// of at most four squares make a squared distance off by at most 6 u of itself, its root by 4 u with its own rounding, the sum by
+// 5 u, and one more sum by 6 u. Sixteen also cover what is rounded here. Infinity and NaN stay.
 template <class S, int D>
 Ball<S, D> rounded_up(const Ball<S, D>& measured) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;

@@ -55,7 +55,7 @@ void add_equal_reach_centers(const std::vector<Ball3<double>>& balls, std::vecto
   }
   const Eigen::Matrix<double, 3, 2> solved = d.completeOrthogonalDecomposition().solve(right);
   const Vec<double, 3> u = solved.col(0), v = solved.col(1);
-  // (1 - v.v) R^2 - 2 (r_0 + u.v) R + r_0^2 - u.u = 0
+  // The radius satisfies (1 - v.v) R^2 - 2 (r_0 + u.v) R + r_0^2 - u.u = 0.
   const double a = 1 - v.squaredNorm(), half_b = first.radius + u.dot(v), c = sq(first.radius) - u.squaredNorm();
   const double root_of = std::sqrt(std::max(0.0, sq(half_b) - a * c)), larger = half_b + std::copysign(root_of, half_b);
   for (const double radius : {larger / a, c / larger})

@@ -17,9 +17,9 @@ constexpr S tiny_ratio() {
 }
 
 // The radius is that of the farthest point as computed. If a point is not finite, the center and the radius are NaN.
-// In double the radius is that of the smallest ball but for some roundings, times the ratio of the longest side to the shortest; the
-// ball has the points nevertheless. Only + - * / are needed. Angles are right from 2^-970 on in double, and from 2^-103 on in float.
-// If the fourth powers of the sides would be out of range, the coordinates are made of ratios.
+// In double the radius is that of the smallest ball but for some roundings, times the ratio of the longest side to the shortest;
+// the ball has the points nevertheless. Only + - * / are needed. Angles are right from 2^-970 on in double, and from 2^-103 on in
+// float. If the fourth powers of the sides would be out of range, the coordinates are made of ratios.
 template <class S, int D>
 SmallestBall<S, D> three_points_ball(const Vec<S, D>& a, const Vec<S, D>& b, const Vec<S, D>& c) {
   const Vec<S, D> ab = b - a, bc = c - b, ca = a - c;

@@ -17,7 +17,8 @@ void append(std::vector<float>& to, const Vec<double, D>& v) {
   for (int i = 0; i < D; ++i) to.push_back(static_cast<float>(v[i]));
 }
 
-// Appends a joint-set of affine joints in the layout of rigid ones. Float loses a share of F ||p|| of an image, as of ||p|| there.
+// Appends a joint-set of affine joints in the layout of rigid ones. Float loses a share of F ||p|| of an image, as of ||p||
+// there.
 void append_affine(std::vector<float>& to, const PaletteEntry<double>& set, const PaletteScales<double>& scales,
                    float largest_reference) {
   const double lengths = 1.001 * (scales.translation + scales.matrix * largest_reference);

@@ -41,8 +41,8 @@ class BatchRefit {
 
   // Returns the balls by node, which are valid until the next call. Each ball encloses the node's vertices, deformed by spherical
   // blending with exactly this palette. Its radius includes the slack for all rounding (refit_kernel.hpp). Throws
-  // std::range_error for lengths that single precision cannot square (single_precision.hpp), and std::invalid_argument for a palette of
-  // affine joints.
+  // std::range_error for lengths that single precision cannot square (single_precision.hpp), and std::invalid_argument for a
+  // palette of affine joints.
   const PackedBalls& spherical(const SkinningPalette<double>& palette, Target target = best_target());
   // Does the same for linear blending, by rigid or affine joints.
   const PackedBalls& linear(const SkinningPalette<double>& palette, Target target = best_target());

@@ -14,8 +14,8 @@ inline constexpr int most_palette_joints = 4;  // of a joint-set in a pack
 
 // A PaletteSource is what the data of a joint-set are made from, besides the pose.
 struct alignas(64) PaletteSource {
-  // These are the prior of the rotation center, m of the joint-set, the largest |v - m| of its vertices (float_palette.hpp), and an
-  // unused one.
+  // These are the prior of the rotation center, m of the joint-set, the largest |v - m| of its vertices (float_palette.hpp), and
+  // an unused one.
   double numbers[8];
   std::int32_t joint[most_palette_joints], joint_count;  // 0 if it has more than a pack takes
   std::int32_t first_slot;                               // where its joints' data go

@@ -30,8 +30,8 @@ class PalettePacks {
   SkinningPalette<double>::Arrays arrays(SkinningPalette<double>& palette) const { return palette.resize(first_slot_); }
   void make_part(int part, const Pose& pose, const SkinningPalette<double>::Arrays& out, Target target = best_target()) const;
 
-  // Makes joint-sets for skinning in float, by spherical or Hejl's skinning: up to palette_lanes of the same packed_joints(), or one of
-  // more joints, whose slack is infinite. out is by joint-set.
+  // Makes joint-sets for skinning in float, by spherical or Hejl's skinning: up to palette_lanes of the same packed_joints(), or
+  // one of more joints, whose slack is infinite. out is by joint-set.
   void make_floats(std::span<const int> joint_sets, const Pose& pose, const FloatPlacement& at, FloatPaletteEntry* out,
                    Target target = best_target()) const;
 

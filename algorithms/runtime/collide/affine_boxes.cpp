@@ -46,7 +46,7 @@ void bound_affine_boxes(std::span<const SimplexPiece> pieces, const SkinningPale
                         const Quaternion<double>& rotation, std::span<Box<double>> boxes) {
   const DefaultFloatEnvironment environment;
   for (Box<double>& box : boxes) box = Box<double>::empty();
-  // Of the placement's rotation, which is of unit length but for its rounding and what check_placement accepts.
+  // This bounds the length of the placement's rotation, which is 1 but for its rounding and what check_placement accepts.
   constexpr double turn = 1.00001;
   std::vector<double> w;
   std::vector<AffineSizes> of_joints;

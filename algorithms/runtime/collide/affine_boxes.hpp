@@ -7,10 +7,10 @@
 //
 // Rounding. Let u be half of epsilon, F bound the Frobenius norms of the joints' matrices, and t their offsets. A placement's
 // rotation is the matrix of rotate(), which is off by 24 u and of a norm below 2. A blend of n matrices is off by n u F, their
-// product with the rotation by 60 u F, an image by 4 u F ||p||. So is a skinned vertex, by the same order of things. F and t of a blend
-// are those of its joints, blended with the same weights, even where the joints cancel each other. Where the ball
-// decides a side it reaches no farther than the box, so that its radius is within twice the lengths there. The slack is
-// lost_of_affine_box, of F ||p|| + t, which proptests/algorithms/bound_budgets.cpp derives. least_affine_box is what may underflow.
+// product with the rotation by 60 u F, an image by 4 u F ||p||. So is a skinned vertex, by the same order of things. F and t of a
+// blend are those of its joints, blended with the same weights, even where the joints cancel each other. Where the ball decides a
+// side it reaches no farther than the box, so that its radius is within twice the lengths there. The slack is lost_of_affine_box,
+// of F ||p|| + t, which proptests/algorithms/bound_budgets.cpp derives. least_affine_box is what may underflow.
 #pragma once
 
 #include <span>
@@ -29,7 +29,8 @@ struct AffineSizes {
 };
 AffineSizes sizes_of(const AffineMap<double>& map, int joints);
 
-// Returns a box around the image of what is in the ball and in the box. It is all of space if the ball or the image is not finite.
+// Returns a box around the image of what is in the ball and in the box. It is all of space if the ball or the image is not
+// finite.
 Box<double> box_of_image(const AffineMap<double>& map, const Ball3<double>& ball, const Box<double>& box,
                          const AffineSizes& sizes);
 

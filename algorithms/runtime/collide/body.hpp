@@ -24,7 +24,8 @@ class Body {
   Body(const Body&) = delete;  // a copy would refit with the palette of this one
 
   // Starts a frame. Throws ModelError for a pose that make_skinning_palette refuses, and for a deformation that
-  // check_deformation refuses. If it throws one of these, the body is still in the frame before. If memory runs out, it is in no frame.
+  // check_deformation refuses. If it throws one of these, the body is still in the frame before. If memory runs out, it is in no
+  // frame.
   void begin(const Pose& pose, const Deformation& deformation = {});
   // Starts a frame of affine joints, and of morph targets if there are weights. Linear skinning blends these transforms; other
   // skinning has two phases of them (split, in runtime/skinning/deformation.hpp). Throws the same.

@@ -12,8 +12,8 @@
 
 namespace refitlab {
 
-// Boxes in float have four roundings of their coordinates to spare, each of 2^-24. Growing them rounds, too, and so does a conversion to
-// float.
+// Boxes in float have four roundings of their coordinates to spare, each of 2^-24. Growing them rounds, too, and so does a
+// conversion to float.
 inline constexpr double roundings_of_float_box = 0x1p-21;
 
 // Returns by how much boxes in float grow whose coordinates may be off by lost, and are at most largest.
@@ -37,8 +37,8 @@ struct BoxKernels {
   // JointFloats. rotation is a 3 x 3 matrix, row by row.
   void (*bound)(const BoxPack* packs, std::size_t count, int joints, Skinning skinning, const float* slots, const float* centers,
                 const float* rotation, FlippedBox* boxes);
-  // Puts boxes into blocks, each grown by growth_of_float_box of lost and the largest coordinate of all. whole becomes the box around
-  // them. Returns false, and nothing else, if a coordinate or what they grow by is undefined or not below largest_box.
+  // Puts boxes into blocks, each grown by growth_of_float_box of lost and the largest coordinate of all. whole becomes the box
+  // around them. Returns false, and nothing else, if a coordinate or what they grow by is undefined or not below largest_box.
   bool (*put_grown)(const FlippedBox* boxes, int count, double lost, BoxBlock<float>* blocks, Box<float>& whole);
   // Writes the result of filter_triangles for each pair to answers.
   void (*filter_pairs)(const PaddedVertex* vertices_a, const PaddedVertex* vertices_b, const TrianglePairCandidate* pairs,

@@ -140,8 +140,8 @@ void ClusterBody::make_motion_bound() {
   is_motion_bound_made_ = true;
 }
 
-// Returns a box around the node's ball in the placement's rotation, with what is lost by it (lost_of_placements, and collide.cpp): a
-// rotation with ||q||^2 = 1 + e stretches by at most 2 |e|.
+// Returns a box around the node's ball in the placement's rotation, with what is lost by it (lost_of_placements, and
+// collide.cpp): a rotation with ||q||^2 = 1 + e stretches by at most 2 |e|.
 Box<double> ClusterBody::box_of_deformed(int node) {
   if (!deformed_->are_balls_begun) {
     deformed_->balls.begin(clusters_.measured_palette(), &deformed_->reference);
@@ -205,8 +205,8 @@ void ClusterBody::bound_in_double(int f) {
                        {boxes_.data(), static_cast<std::size_t>(wide_node.child_count)});
 }
 
-// Bounds the children of a wide node by motion bounds, or by control points where the former know nothing of some child. Returns what the
-// coordinates may be off by.
+// Bounds the children of a wide node by motion bounds, or by control points where the former know nothing of some child. Returns
+// what the coordinates may be off by.
 double ClusterBody::bound_in_float(const WideNode& wide_node) {
   const std::span<FlippedBox> boxes(flipped_.data(), wide_node.child_count);
   if (!wide_node.motion_bounds.empty() && skinning_ != Skinning::hejl) {

@@ -20,11 +20,11 @@ class ClusterBody {
   ClusterBody(const ClusterTree& tree, Skinning skinning);
   ClusterBody(const ClusterBody&) = delete;  // a copy would write into the arrays of this one
 
-  // Starts a frame, of which nothing is computed yet. placement takes model space to the world. A deformation is that of this frame;
-  // then nodes are bounded by balls, with the pieces of the default variant, and all skinning is in double. Throws ModelError for a
-  // pose that make_skinning_palette refuses and for a deformation that check_deformation refuses, and std::invalid_argument for a
-  // placement that is not rigid, and for a deformation of a character that was baked without those pieces. If it throws one of
-  // these, the body is still in the frame before. If memory runs out, the body is in no frame.
+  // Starts a frame, of which nothing is computed yet. placement takes model space to the world. A deformation is that of this
+  // frame; then nodes are bounded by balls, with the pieces of the default variant, and all skinning is in double. Throws
+  // ModelError for a pose that make_skinning_palette refuses and for a deformation that check_deformation refuses, and
+  // std::invalid_argument for a placement that is not rigid, and for a deformation of a character that was baked without those
+  // pieces. If it throws one of these, the body is still in the frame before. If memory runs out, the body is in no frame.
   void begin(const Pose& pose, const RigidTransform<double>& placement, const Deformation& deformation = {});
   // Starts a frame of affine joints, and of morph targets if there are weights. Linear skinning blends these transforms; other
   // skinning has two phases of them (split, in runtime/skinning/deformation.hpp). Throws the same.
@@ -32,16 +32,16 @@ class ClusterBody {
 
   const ClusterTree& tree() const { return tree_; }
 
-  // What is below and makes boxes or skins throws std::logic_error if the body is in no frame.
+  // All functions below that make boxes or skin throw std::logic_error if the body is in no frame.
 
-  // Returns a box in the world around the whole body, made from the joints alone; see MotionBound. With a deformation, it is around the
-  // root's ball, which has all triangles.
+  // Returns a box in the world around the whole body, made from the joints alone; see MotionBound. With a deformation, it is
+  // around the root's ball, which has all triangles.
   const Box<double>& motion_bound() {
     if (!is_motion_bound_made_) make_motion_bound();
     return motion_bound_box_;
   }
-  // Says whether queries of the frames to come will do without the motion bound, as far as is known. Then begin() does not make it; it
-  // is made if it is asked for.
+  // Says whether queries of the frames to come will do without the motion bound, as far as is known. Then begin() does not make
+  // it; it is made if it is asked for.
   void expect_no_bound(bool is_none) { is_no_bound_expected_ = is_none; }
 
   // These are boxes around all vertices below: those of a wide node's children, in blocks, and that around all of them. They
@@ -55,8 +55,8 @@ class ClusterBody {
     return wide_node_boxes_[wide_node];
   }
 
-  // Cuts the bound of a cluster that a query has skinned to its vertices' box, if clusters are skinned rather than bounded; and from
-  // several such clusters on, they are, unless the body is shared.
+  // Cuts the bound of a cluster that a query has skinned to its vertices' box, if clusters are skinned rather than bounded; and
+  // from several such clusters on, they are, unless the body is shared.
   void tighten(int cluster) {
     if (is_all_skinned_) return;  // boxes are around skinned vertices already
     if (!is_shared_ && clusters_.clusters_skinned() >= least_clusters_of_contact && is_skinned_in_float()) skin_rather();
@@ -69,9 +69,9 @@ class ClusterBody {
   // Returns whether clusters are skinned in float, except joint-sets for which this is not known to be right.
   bool is_skinned_in_float() const { return !is_deformed_ && (skinning_ == Skinning::spherical || skinning_ == Skinning::hejl); }
 
-  // From now on in this frame, clusters are skinned rather than bounded where all children of a wide node are clusters. In float this
-  // takes about as long, and boxes are tighter, also the one that the parent has of such a wide node; but more is skinned where little
-  // touches.
+  // Lets clusters be skinned rather than bounded from now on in this frame, where all children of a wide node are clusters. In
+  // float this takes about as long, and boxes are tighter, also the one that the parent has of such a wide node; but more is
+  // skinned where little touches.
   void skin_rather() { is_rather_skinned_ = true; }
 
   // Skins everything. From now on in this frame, all boxes are around skinned vertices.

@@ -9,8 +9,8 @@
 namespace refitlab {
 namespace {
 
-// Looks into the clusters that touched in earlier frames, up to the first ones that do again, and says whether any do. A memory of other
-// bodies may remember clusters that these do not have.
+// Looks into the clusters that touched in earlier frames, up to the first ones that do again, and says whether any do. A memory
+// of other bodies may remember clusters that these do not have.
 bool touch_again(ClusterPairs& clusters, const ClusterTree& first, const ClusterTree& second, PairMemory& memory) {
   const auto has = [](const ClusterTree& tree, int cluster) {
     return cluster >= 0 && static_cast<std::size_t>(cluster) < tree.clusters().size();

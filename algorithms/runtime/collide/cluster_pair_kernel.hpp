@@ -56,7 +56,8 @@ struct ClusterPairKernels {
   // Keeps the candidates whose boxes are not apart from box. Returns their number.
   int (*keep)(int count, const Box<float>& box, const CandidateArrays& candidates);
   // Lists the pairs of candidates whose boxes are apart by no more than margin. The pairs are of all first ones and of the second
-  // ones in [begin, end), where begin is a multiple of 16. Returns their number. The lists have room for one block more than all pairs.
+  // ones in [begin, end), where begin is a multiple of 16. Returns their number. The lists have room for one block more than all
+  // pairs.
   int (*meeting)(const CandidateArrays& a, int count_a, const CandidateArrays& b, int begin, int end, float margin,
                  std::int32_t* first, std::int32_t* second);
   // Filters so many pairs whose vertices are off by at most slack. The indices of those that certainly meet are written to

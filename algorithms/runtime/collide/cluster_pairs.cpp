@@ -9,8 +9,8 @@
 namespace refitlab {
 namespace {
 
-// Pairs of candidates are listed in parts of at most so many, or those of one block of the second ones. A yes/no query ends with the
-// first part in which a pair touches.
+// Pairs of candidates are listed in parts of at most so many, or those of one block of the second ones. A yes/no query ends with
+// the first part in which a pair touches.
 constexpr int pairs_at_once = 1 << 14, pairs_at_once_of_yes_no = 1 << 8;
 
 CandidateArrays arrays_of(Candidates& c) {
@@ -26,7 +26,8 @@ TrianglePoints points_of(const PaddedVertex* vertices, const std::array<std::uin
   return {point(0), point(1), point(2)};
 }
 
-// Returns about which share of a cluster is in a part of its box. It only chooses between ways that find the same, and may be a NaN.
+// Returns about which share of a cluster is in a part of its box. It only chooses between ways that find the same, and may be a
+// NaN.
 float share_of(const Box<float>& part, const Box<float>& whole) {
   float share = 1;
   for (int i = 0; i < 3; ++i) share *= (part.high[i] - part.low[i]) / (whole.high[i] - whole.low[i]);
@@ -109,8 +110,8 @@ void ClusterPairs::add(int a, int b) {
   common.cut(box_b);
   common.grow(slack);
   Side side_a{first_, a, false, arrays_of(scratch_.first)}, side_b{second_, b, true, arrays_of(scratch_.second)};
-  // The cluster of which less is in the common box comes first. The triangles of the other one are culled against its candidates, too, and
-  // these against what is left of the other one.
+  // The cluster of which less is in the common box comes first. The triangles of the other one are culled against its candidates,
+  // too, and these against what is left of the other one.
   const bool is_second_early = share_of(common, box_b) * static_cast<float>(side_b.triangles().count) <
                                share_of(common, of_a.box) * static_cast<float>(side_a.triangles().count);
   Side &early = is_second_early ? side_b : side_a, &late = is_second_early ? side_a : side_b;

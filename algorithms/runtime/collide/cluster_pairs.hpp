@@ -80,7 +80,8 @@ class ClusterPairs {
 
     ClusterTriangles triangles() const { return body.tree().cluster_triangles(cluster); }
   };
-  // Finds the triangles of a side that are not outside common, and the box around them, grown by margin. Returns whether there are any.
+  // Finds the triangles of a side that are not outside common, and the box around them, grown by margin. Returns whether there
+  // are any.
   bool find_candidates(Side& side, const Box<float>& common, float margin);
   void filter(int a, int b, int count, float slack);
   void list_touching(ClusterPair pair);

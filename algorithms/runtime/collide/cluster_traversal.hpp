@@ -11,8 +11,8 @@ namespace refitlab {
 
 // A Body has a tree(), and boxes in float around the vertices below, seen from the origin of its SkinnedClusters and with four
 // roundings of their coordinates to spare: wide_node_boxes(n), which are those of a wide node's children, in blocks, and
-// wide_node_box(n), which is that around all of them. Boxes among the former may become smaller while this works: tighten(cluster) may cut
-// that of the cluster to its skinned vertices, and opening a wide node may cut that of the wide node.
+// wide_node_box(n), which is that around all of them. Boxes among the former may become smaller while this works:
+// tighten(cluster) may cut that of the cluster to its skinned vertices, and opening a wide node may cut that of the wide node.
 template <class Body>
 class ClusterTraversal {
  public:
@@ -24,8 +24,8 @@ class ClusterTraversal {
         counts_(counts),
         hits_(hits) {}
 
-  // Returns the pairs of triangles that touch. A yes/no query ends with the first clusters in which it finds any. It looks first where boxes
-  // reach deepest into each other.
+  // Returns the pairs of triangles that touch. A yes/no query ends with the first clusters in which it finds any. It looks first
+  // where boxes reach deepest into each other.
   std::vector<TrianglePair> run() {
     const Hits tops(*this, first_, 0, pairs_.moved(second_.wide_node_box(0)));
     for (std::size_t i = 0; i < tops.count() && !pairs_.is_done(); ++i) below_second(tops[i], 0);
@@ -34,8 +34,8 @@ class ClusterTraversal {
   }
 
  private:
-  // Hits lists the places in a wide node whose boxes are not apart from a box. The list is on top of a common stack as long as this
-  // lives.
+  // Hits lists the places in a wide node whose boxes are not apart from a box. The list is on top of a common stack as long as
+  // this lives.
   class Hits {
    public:
     Hits(ClusterTraversal& traversal, Body& body, int wide_node, const Box<float>& box)

@@ -20,7 +20,7 @@ struct CrowdCounts {
   QueryCounts queries;
 };
 
-// The interface of a thread pool: for_each(self, count, task, data) calls task(data, i) once for each i < count, in any
+// This is the interface of a thread pool: for_each(self, count, task, data) calls task(data, i) once for each i < count, in any
 // order and on any threads. It returns when all calls have returned. task throws nothing.
 struct Workers {
   void (*for_each)(void* self, std::size_t count, void (*task)(void* data, std::size_t i), void* data);

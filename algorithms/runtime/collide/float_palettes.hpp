@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // FloatPalettes has the palettes of a placed pose for skinning in float. Each is made when it is first asked for in a frame.
 //
-// A pack makes eight joint-sets in the time of one, so others of as many joints are made along with the one that is asked for. Bodies
-// move little from one frame to the next, so these are the ones that were asked for latest.
+// A pack makes eight joint-sets in the time of one, so others of as many joints are made along with the one that is asked for.
+// Bodies move little from one frame to the next, so these are the ones that were asked for latest.
 #pragma once
 
 #include "algorithms/runtime/batch/palette_packs.hpp"
@@ -32,8 +32,8 @@ class FloatPalettes {
   int packs_made() const { return packs_made_; }
 
  private:
-  // An Order has the joint-sets of one number of joints. Those that were asked for in this frame come first, and then, about, those that
-  // were asked for latest.
+  // An Order has the joint-sets of one number of joints. Those that were asked for in this frame come first, and then, about,
+  // those that were asked for latest.
   struct Order {
     std::vector<int> sets;
     int asked = 0, passed = 0;  // how many of them were asked for, and how many were looked at for being made along

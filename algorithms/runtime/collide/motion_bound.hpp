@@ -24,8 +24,8 @@ class MotionBound {
 
   // Returns a box in the world around everything that apply(placement, skin()) yields. pose and placement must be rigid, as
   // check_pose requires. The box is infinite where no bound is known: for dual quaternions more than half a turn apart, and for a
-  // pose whose numbers are not finite or beyond 1e15 or whose rotations are not of unit length. Of the placement, nothing is checked.
-  // Throws ModelError for a pose of the wrong length.
+  // pose whose numbers are not finite or beyond 1e15 or whose rotations are not of unit length. Of the placement, nothing is
+  // checked. Throws ModelError for a pose of the wrong length.
   Box<double> box(const Pose& pose, const RigidTransform<double>& placement, Target target = best_target()) {
     bool is_rigid;
     return box(pose, placement, is_rigid, target);
@@ -39,9 +39,9 @@ class MotionBound {
   Box<double> box(const AffinePose& pose, const RigidTransform<double>& placement) const;
 
   // Makes boxes around the targets of packs, turned by the placement but not moved, in the pose and placement of the last call of
-  // box, whose result must have been finite. They hold the targets once they are grown by lost(). out is by target. If no bound is
-  // known for some target, it returns false, and out must not be used. It is not for Skinning::hejl, because these packs do not have
-  // its rotation centers.
+  // box, whose result must have been finite. They hold the targets once they are grown by lost(). out is by target. If no bound
+  // is known for some target, it returns false, and out must not be used. It is not for Skinning::hejl, because these packs do
+  // not have its rotation centers.
   bool boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, std::span<FlippedBox> out,
              Target target = best_target());
   // Returns what rounding loses of each coordinate of these boxes, in that pose.

@@ -24,10 +24,10 @@ namespace refitlab {
 inline constexpr int motion_bound_lanes = 16;
 inline constexpr int most_motion_bound_joints = 8;  // of a group in a pack
 
-// The share of A that allows for errors where no squared length of a quaternion differs from 1 by more than defect. Where
-// rotation_center takes a direction as undetermined, A lacks up to 2e-3 of the distance from f to the prior for each joint.
-// A single joint, about the prior, turns f by up to 2 defect of that distance away from its image. The center itself may be
-// 3e4 A away, and 2 defect of that distance is the largest part of this share of A.
+// Returns the share of A that allows for errors where no squared length of a quaternion differs from 1 by more than defect. Where
+// rotation_center takes a direction as undetermined, A lacks up to 2e-3 of the distance from f to the prior for each joint. A
+// single joint, about the prior, turns f by up to 2 defect of that distance away from its image. The center itself may be 3e4 A
+// away, and 2 defect of that distance is the largest part of this share of A.
 constexpr float error_share(double defect) { return static_cast<float>(0x1p-8 + 6e4 * defect); }
 
 // These are plain arrays by lane. Lanes beyond the last group repeat it, and slots beyond a group's last joint repeat its

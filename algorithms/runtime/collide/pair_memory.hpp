@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PairMemory remembers two bodies from earlier frames. Bodies move little from one frame to the next. Clusters that touched often touch
-// again, and bodies whose bounds met meet again.
+// PairMemory remembers two bodies from earlier frames. Bodies move little from one frame to the next. Clusters that touched often
+// touch again, and bodies whose bounds met meet again.
 #pragma once
 
 #include <algorithm>

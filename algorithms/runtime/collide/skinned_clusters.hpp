@@ -10,7 +10,7 @@
 
 namespace refitlab {
 
-// What boxes in float have to spare, of their coordinates.
+// Boxes in float have this share of their coordinates to spare.
 inline constexpr float four_roundings = 0x1p-22f;
 // The doubles of the world lose this share of how far the placement and the origin are from the world's origin.
 inline constexpr double lost_in_world = 0x1p-51;
@@ -36,8 +36,8 @@ class SkinnedClusters {
   SkinnedClusters(const SkinnedClusters&) = delete;  // a copy would write into the arrays of this one
 
   // Starts a frame, of which nothing is computed yet. pose and placement must be as check_pose and check_placement require,
-  // and stay until the next frame. Floats are coordinates as seen from origin. They are more exact the nearer that is. If there is a
-  // reference, its deformation moves the vertices first; it must stay, too. Then all skinning is in double.
+  // and stay until the next frame. Floats are coordinates as seen from origin. They are more exact the nearer that is. If there
+  // is a reference, its deformation moves the vertices first; it must stay, too. Then all skinning is in double.
   void begin(const Pose& pose, const RigidTransform<double>& placement, const Point3& origin,
              const DeformedReference* reference = nullptr);
   // Does the same for linear skinning by affine joints. pose need not stay.
@@ -111,8 +111,8 @@ class SkinnedClusters {
   const SkinningPalette<double>::Arrays palette_arrays_;
   FrameStamps clusters_made_, blocks_made_;
   std::vector<FloatCluster> clusters_;
-  // What clusters have by position is in one array, so that those that are skinned together are near each other. Each array is made when
-  // the first of it is asked for.
+  // The data that clusters have by position are in one array, so that those that are skinned together are near each other. Each
+  // array is made when the first of it is asked for.
   std::vector<Lanes<float>> float_vertices_;
   std::vector<PaddedVertex> padded_vertices_;
   const long work_of_all_;

@@ -27,8 +27,8 @@ namespace refitlab {
 #endif
 }
 
-// Writes the numbers of the lanes whose bits are set, of a pack of floats, counted from first on. Returns how many these are. out has room
-// for all lanes, and what is behind those may be overwritten.
+// Writes the numbers of the lanes whose bits are set, of a pack of floats, counted from first on. Returns how many these are. out
+// has room for all lanes, and what is behind those may be overwritten.
 [[gnu::always_inline]] inline int write_lanes(std::uint32_t bits, std::int32_t first, std::int32_t* out) {
 #if defined(__AVX512F__)
   // There is no branch for each lane, which nothing could foretell.

@@ -27,14 +27,14 @@ Ball3<S> all_of_space(const Vec<S, 3>& center) {
   return {center, S(std::numeric_limits<double>::infinity())};
 }
 
-// The fallback takes no axis a whose cosine to some q'_k is less than this, and no q'_k that is shorter than the least length: smaller
-// ones may come from rounding.
+// The fallback takes no axis a whose cosine to some q'_k is less than this, and no q'_k that is shorter than the least length:
+// smaller ones may come from rounding.
 inline constexpr double least_fallback_cosine = 1e-4, least_fallback_length = 1e-2;
 
-// Returns what a fallback in double may lose by rounding, relative to the sum of its radius, t, ||p|| and ||f||, for this many joints.
-// The q'_k and d'_k are off by (n + 4) u of 1 and of half of t. So the E_k are off by (n + 14) u of t + ||p|| + ||f||, and (q'_k, a) / ||a||
-// by (n + 8) u. Both errors are divided by (q'_k, a) / ||a||, which is at least the least cosine times the least length.
-// proptests/algorithms/control_budgets.cpp derives these counts.
+// Returns what a fallback in double may lose by rounding, relative to the sum of its radius, t, ||p|| and ||f||, for this many
+// joints. The q'_k and d'_k are off by (n + 4) u of 1 and of half of t. So the E_k are off by (n + 14) u of t + ||p|| + ||f||,
+// and (q'_k, a) / ||a|| by (n + 8) u. Both errors are divided by (q'_k, a) / ||a||, which is at least the least cosine times the
+// least length. proptests/algorithms/control_budgets.cpp derives these counts.
 constexpr double fallback_slack(double joints) {
   return (joints + 16) * (std::numeric_limits<double>::epsilon() / 2) / (least_fallback_cosine * least_fallback_length);
 }
@@ -47,8 +47,8 @@ class DualQuaternionPiece {
   using WeightVertex = BlendedDuals<S>;
   static constexpr double near = near_of_degree_two;
 
-  // point is p, and radius is that of the reference ball. For rounding there are the number of joints, and translation, which is at
-  // least the length of every joint's translation.
+  // point is p, and radius is that of the reference ball. For rounding there are the number of joints, and translation, which is
+  // at least the length of every joint's translation.
   DualQuaternionPiece(const Vec<S, 3>& point, const S& radius, const S& joints = S(1), const S& translation = S(0))
       : point_(point),
         radius_(radius),

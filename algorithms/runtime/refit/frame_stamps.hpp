@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FrameStamps records which objects were made in the current frame. A new frame forgets all of them at once. Nothing is made before the
-// first.
+// FrameStamps records which objects were made in the current frame. A new frame forgets all of them at once. Nothing is made
+// before the first.
 #pragma once
 
 #include <algorithm>

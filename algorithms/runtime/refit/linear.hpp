@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Refitting for linear blend skinning [Kavan and Zara 2005a]. The control balls, of degree 1, are copies of the reference
-// ball. Their centers are the images of its center, blended with the weights of each weight vertex. The refit is one ball
-// around them. Affine joints stretch the radii (a1_affine_image).
+// Refits for linear blend skinning [Kavan and Zara 2005a]. The control balls, of degree 1, are copies of the reference ball.
+// Their centers are the images of its center, blended with the weights of each weight vertex. The refit is one ball around them.
+// Affine joints stretch the radii (a1_affine_image).
 #pragma once
 
 #include "algorithms/runtime/refit/control_lists.hpp"

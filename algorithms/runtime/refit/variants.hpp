@@ -32,15 +32,16 @@ const std::vector<RefitVariant>& refit_variants();
 
 // Returns the variant to use unless there is a reason for another. It costs about as much as Algorithm 1: most nodes hold so
 // few vertices that skinning these costs less than bounding them. The ball of such a node is first made around the vertices that
-// touched it in the reference pose, and mostly encloses the others. On the experiments' characters it is within a tenth of the smallest ball on average, and it is
-// exact at the leaves.
+// touched it in the reference pose, and mostly encloses the others. On the experiments' characters it is within a tenth of the
+// smallest ball on average, and it is exact at the leaves.
 const RefitVariant& default_variant(Skinning skinning);
 
 // Throws std::invalid_argument that lists the existing names.
 const RefitVariant& refit_variant(const std::string& name);
 const RefitVariant& variant_named(const std::string& name, const std::vector<RefitVariant>& variants);
 
-// Throws std::invalid_argument for a palette that make_skinning_palette did not make, or that is one of affine joints unless the variant's skinning is linear.
+// Throws std::invalid_argument for a palette that make_skinning_palette did not make, or that is one of affine joints unless the
+// variant's skinning is linear.
 void check_palette(const SkinningPalette<double>& palette, const RefitVariant& variant);
 
 // Returns the balls of all nodes. character must have the variant's pieces. Throws what check_palette throws.

@@ -42,10 +42,10 @@ struct SplitJoint {
   AffineMap<double> scale;
 };
 
-// Splits by the polar decomposition of the joint's matrix: R has the rotation nearest to it, and S is symmetric about origin, which
-// it leaves where it is. If a joint mirrors, S has a negative eigenvalue. The product of the two is off from C by rounding.
-// Bounds and skin() take the same computed R and S, so nothing is lost between them. Against exact factors there is no slack, and none
-// could be given: where two singular values of the matrix are opposite or both are small, the matrix does not determine R.
+// Splits by the polar decomposition of the joint's matrix: R has the rotation nearest to it, and S is symmetric about origin,
+// which it leaves where it is. If a joint mirrors, S has a negative eigenvalue. The product of the two is off from C by rounding.
+// Bounds and skin() take the same computed R and S, so nothing is lost between them. Against exact factors there is no slack, and
+// none could be given: where two singular values of the matrix are opposite or both are small, the matrix does not determine R.
 SplitJoint split(const AffineMap<double>& joint, const Point3& origin);
 
 // A SplitPose is a pose of affine joints as both phases take it.
@@ -54,8 +54,8 @@ struct SplitPose {
   AffinePose scales;
 };
 
-// Splits every joint about its own origin. Throws ModelError as check_pose does. (What takes the scales refuses those that stretch by
-// more than 1e4 in some direction.)
+// Splits every joint about its own origin. Throws ModelError as check_pose does. (What takes the scales refuses those that
+// stretch by more than 1e4 in some direction.)
 SplitPose split(const SkinnedMesh& mesh, const AffinePose& pose);
 
 }  // namespace refitlab

@@ -17,25 +17,25 @@
 // A control ball: after h <= 4 halvings the quaternions and centers at the weight vertices have an error of n + h. The hull
 // of the control points of these computed values holds the blends of the computed values, so the errors count once: 2 (n +
 // h) kappa ||x|| + (n + h) T. A control point is N / D. Near weight vertices (control_hull.hpp) have ||q'_k|| ||q'_l|| < 2
-// W_kl, so the products P are at most 2 D ||x||, and the moved centers at most D T. With the error of x that is 80 and 29 + n + h.
-// A cap: unit quaternions have an error of n kappa + 5, and the apex has 5. Half of that is the error of the chord s, with
-// 4 s for its own rounding. As the image's angle is 4 arcsin s, and no more than a right angle, its error is at most 2.17 times
-// that. With the ratios, the rotation and sums it is less than 80 + 2.25 (n + h) kappa, which covers both, and n + h + 1.
+// W_kl, so the products P are at most 2 D ||x||, and the moved centers at most D T. With the error of x that is 80 and 29 + n +
+// h. A cap: unit quaternions have an error of n kappa + 5, and the apex has 5. Half of that is the error of the chord s, with 4 s
+// for its own rounding. As the image's angle is 4 arcsin s, and no more than a right angle, its error is at most 2.17 times that.
+// With the ratios, the rotation and sums it is less than 80 + 2.25 (n + h) kappa, which covers both, and n + h + 1.
 //
-// Linear blending of a point p: the formula loses 15 of ||p|| and 1 of t (the given quaternions have no error), and the blend adds n
-// of both. But R_j is not quite a rotation: with ||q||^2 = 1 + e the unit formula makes (1 + e) R - e, which stretches r by at
-// most 2 |e| r.
+// Linear blending of a point p: the formula loses 15 of ||p|| and 1 of t (the given quaternions have no error), and the blend
+// adds n of both. But R_j is not quite a rotation: with ||q||^2 = 1 + e the unit formula makes (1 + e) R - e, which stretches r
+// by at most 2 |e| r.
 //
 // Linear blending by affine joints: let F bound the Frobenius norms of their matrices, and t the lengths of their offsets. The
 // image of p is three products and their sum with the offset: 3 F ||p||, and one of F ||p|| + t. The blend adds n of both. The
-// factor that r is stretched by has the squares of a1_affine_image. The blended matrix is off by n F. The root of the greatest row
-// sum of its A^T A, which is at least F / sqrt 3, and the product have errors of 9 F. A factor that is blended of the joints' is at
-// most 1.2 F, and off by n of that. Products of tiny numbers underflow, for which least_matrix stands.
+// factor that r is stretched by has the squares of a1_affine_image. The blended matrix is off by n F. The root of the greatest
+// row sum of its A^T A, which is at least F / sqrt 3, and the product have errors of 9 F. A factor that is blended of the joints'
+// is at most 1.2 F, and off by n of that. Products of tiny numbers underflow, for which least_matrix stands.
 //
-// Dual quaternions: 2 ||d_j|| <= t, so that translations are at most kappa t. For a given blend the formula loses 23 of ||p|| and 15 of
-// translations; q and d are off by n of their lengths. For a control ball, near weight vertices have ||q'_k|| ||q'_l|| < sqrt 2 W_kl.
-// The quotient N / W has an error of 46, and 27 of translations. The weight vertices are off by n + 4 of both lengths. Beyond a right angle
-// the ball of b6_dual_quaternion_ball accounts for its own rounding (dual_quaternion.hpp).
+// Dual quaternions: 2 ||d_j|| <= t, so that translations are at most kappa t. For a given blend the formula loses 23 of ||p|| and
+// 15 of translations; q and d are off by n of their lengths. For a control ball, near weight vertices have ||q'_k|| ||q'_l|| <
+// sqrt 2 W_kl. The quotient N / W has an error of 46, and 27 of translations. The weight vertices are off by n + 4 of both
+// lengths. Beyond a right angle the ball of b6_dual_quaternion_ball accounts for its own rounding (dual_quaternion.hpp).
 //
 // proptests/algorithms/control_budgets.cpp derives the constants of control balls and of affine joints from the refits' own
 // templates, and bound_budgets.cpp those of vertices. palette_rounding.cpp there compares them with running errors.
@@ -81,8 +81,9 @@ S stretch_of(const AffineMap<S>& map) {
 
 // Measures the scales. Let d be the least ||q_i||^2, and c the least (q_i, q_j) of all pairs, or d if that is less. Then
 // c3_normalized_motion says how long blends are at least.
-// kappa is no greater than for a squared length of half of least_squared_length. Blends at weight vertices are no shorter than least_squared_length says. Between such that are 60 degrees apart at most, and in caps of
-// up to 45 degrees, they are shorter by sqrt(1/2) at most.
+// kappa is no greater than for a squared length of half of least_squared_length. Blends at weight vertices are no shorter than
+// least_squared_length says. Between such that are 60 degrees apart at most, and in caps of up to 45 degrees, they are shorter by
+// sqrt(1/2) at most.
 template <class S>
 PaletteScales<S> measure_palette(std::span<const RigidTransform<S>> transforms, std::span<const Vec<S, 3>> center_images) {
   static_assert(std::is_floating_point_v<S>);

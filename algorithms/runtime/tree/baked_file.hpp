@@ -22,8 +22,8 @@
 
 namespace refitlab {
 
-// A BakedFile is what the runtime reads of a file. Bounds of the whole model, of skins, meshes and primitives are not part of it: they are in the
-// glTF's `extras`.
+// A BakedFile is what the runtime reads of a file. Bounds of the whole model, of skins, meshes and primitives are not part of it:
+// they are in the glTF's `extras`.
 struct BakedFile {
   Skinning skinning;
   RotationBlend rotations;             // of crossfades

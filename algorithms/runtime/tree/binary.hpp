@@ -60,8 +60,9 @@ class BinaryReader {
   const std::string& file_;
 };
 
-// Transfers the length of a list, to a BinaryWriter or from a BinaryReader, and then each member by transfer(member). What is read is
-// appended to the list, which is empty, one by one: a length that no file could have makes room for no more than the file has.
+// Transfers the length of a list, to a BinaryWriter or from a BinaryReader, and then each member by transfer(member). What is
+// read is appended to the list, which is empty, one by one: a length that no file could have makes room for no more than the file
+// has.
 template <class List>
 void transfer_members(auto& io, List& list, const auto& transfer_member) {
   std::uint64_t count = list.size();

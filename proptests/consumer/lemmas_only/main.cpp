@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program of the lemmas alone: a twist of half a turn, bounded by its cap and by its control points.
+// This program uses the lemmas alone: it bounds a twist of half a turn by its cap and by its control points.
 #if __has_include(<CGAL/version.h>) || __has_include(<gmp.h>) || __has_include(<mpfi.h>) || __has_include(<boost/version.hpp>)
 #error "a library that the lemmas do not need is within reach, so that this program would not show that"
 #endif
@@ -46,7 +46,8 @@
 int main() {
   using namespace refitlab;
   const Vec<double, 3> x(1, 0, 0);
-  const double half = std::numbers::pi / 8;  // of the angle between the quaternions of two joints a quarter turn apart
+  // This is half of the angle between the quaternions of two joints a quarter turn apart.
+  const double half = std::numbers::pi / 8;
   const SphericalBlend<double> blend{{{1, 0, 0, 0}, {std::cos(2 * half), 0, 0, std::sin(2 * half)}}, {{0, 0, 0}, {0, 0, 0}}, x};
   const std::vector<double> middle{0.5, 0.5};
   const RotationBound<double> bound = bound_rotations<double>(blend.rotations, blend.rotations[0] + blend.rotations[1]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads a baked character, by itself and from a glTF file, bends it, and asks which triangles of two of it touch: what a game does,
+// Reads a baked character, by itself and from a glTF file, bends it, and asks which triangles of two of it touch, as a game does,
 // with nothing but the runtime. Exits with 1 if the answer is not that of bodies that stand in each other, and beside each other.
 #include <cmath>
 #include <cstdio>
@@ -18,7 +18,7 @@ int main(int, char** argv) try {
   if (!baked.character || bytes_of(*baked.character) != bytes_of(arm)) return std::puts("the files have two characters"), 1;
   const ClusterTree clusters(arm);
   Pose pose = reference_pose(arm.mesh);
-  for (auto& joint : pose) joint = {{std::cos(0.1), 0, std::sin(0.1), 0}, Point3::Zero()};  // turned as a whole
+  for (auto& joint : pose) joint = {{std::cos(0.1), 0, std::sin(0.1), 0}, Point3::Zero()};  // It is turned as a whole.
 
   ClusterBody first(clusters, Skinning::spherical), second(clusters, Skinning::spherical), third(clusters, Skinning::spherical);
   first.begin(pose, {});
