@@ -5,9 +5,8 @@
 // (i) q = p / ||p|| has ||q'|| <= L / m and ||q''|| <= A / m + 2/sqrt(3) (L / m)^2;
 // (ii) g = p / ||p||^2 has ||g|| <= 1 / m, ||g'|| <= L / m^2 and ||g''|| <= A / m^2 + 2 L^2 / m^3.
 // Both are sharp at a moment with ||p|| = m, but for (i) where A > 0. For m:
-// (iii) if p = sum w_k q_k with w of W_n, all ||q_k||^2 >= d, which is 1 for unit quaternions, and all (q_k, q_l) >= c for k !=
-// l, where
-//   c <= d, then ||p||^2 >= c + (d - c) / n;
+// (iii) if p = sum w_k q_k with w of W_n, all ||q_k||^2 >= d, which is 1 for unit quaternions, and all (q_k, q_l) >= c for
+//   k != l, where c <= d, then ||p||^2 >= c + (d - c) / n;
 //   For given w and all (q_k, q_l) >= c_kl, ||p||^2 >= sum w_k^2 + 2 sum_{k<l} w_k w_l c_kl;
 // (iv) if p is a convex combination of p_k, and a any vector but 0, then ||p|| >= min_k (p_k, a) / ||a||.
 // Where none of them is positive p may vanish, and there is no bound: near 0 a blend turns as fast as it wants to.

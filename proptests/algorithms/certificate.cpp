@@ -686,7 +686,8 @@ void nodes_have_accepted_certificates(Suite& t) {
   t.holds(
       "random nodes have certificates by every sound variant, and all are accepted that are not refused for a size the writer "
       "tells",
-      {.number_type = "double against rational", .cases = 15, .degenerate_at_least = 0.3}, check_random_nodes);
+      {.number_type = "double against rational", .cases = 15, .degenerate_at_least = 0.3, .degenerate_at_most = 1},
+      check_random_nodes);
   t.holds(
       "nodes of random meshes have certificates by every sound variant, and all are accepted that are not refused for a size the "
       "writer tells",

@@ -24,17 +24,17 @@ namespace proptests {
 
 // Says what a record belongs to and how much is to be tried.
 struct Options {
-  std::string form =
-      // This is "printed", "implied" by what is, "repaired", "beyond", or empty for a check that is no statement of a lemma.
-      "";
+  // The form is "printed", "implied" by what is, "repaired", "beyond", or empty for a check that is no statement of a lemma.
+  std::string form = "";
   std::string number_type = "";  // "rational", "interval", "double", ...
   int cases = 1000;              // random cases, unless --cases says otherwise
   // RapidCheck's size says how wild a generated value may be.
   int max_size = 100;
   // The test fails if the share of degenerate cases is less.
   double degenerate_at_least = 0;
-  // It also fails if the share is more: too few generic cases then test the statement.
-  double degenerate_at_most = 1;
+  // It also fails if the share is more: too few generic cases then test the statement. A test that is about degenerate cases alone,
+  // or has too few cases to promise a share, says 1.
+  double degenerate_at_most = 0.95;
   // This is the hypothesis whose necessity the test shows, for a counterexample without it.
   std::string hypothesis = "";
   // For each label of RC_TAG, the test fails if the share of cases with it is less.
