@@ -190,4 +190,4 @@ Verdict ball_is_carried_rigidly(const AffineMap<S>& map, const SquaredBall<S, 3>
 // algorithms/certificate/bound.cpp, algorithms/runtime/collide/affine_boxes.cpp,
 // algorithms/runtime/collide/motion_bound_piece_kernel.cpp, algorithms/runtime/refit/linear.hpp,
 // algorithms/runtime/skinning/palette_rounding.hpp, experiments/drawings/motion.cpp,
-// experiments/engines/joint_kernel.cpp.
+// experiments/engines/box_program.cpp, experiments/engines/joint_kernel.cpp.

@@ -56,6 +56,12 @@ struct MixedPair {
   Vec<S, 3> numerator;
 };
 
+// Says whether W_kl > 0 and near W_kl^2 > W_kk W_ll beyond doubt. Packs get an answer for each lane.
+template <class S>
+auto are_near(const S& w_kl, const S& w_kk, const S& w_ll, double near) {
+  return certainly_less(S(0), w_kl) && certainly_less(S(w_kk * w_ll), S(sq(w_kl) * constant<S>(near)));
+}
+
 // Returns W_kl and P_kl. With q = (w, v): P_kl = (w_k w_l - v_k.v_l) x + (v_k.x) v_l + (v_l.x) v_k + (w_k v_l + w_l v_k) x x.
 template <class S>
 MixedPair<S> mix_rotations(const Quaternion<S>& a, const Quaternion<S>& b, const Vec<S, 3>& x) {
@@ -63,13 +69,6 @@ MixedPair<S> mix_rotations(const Quaternion<S>& a, const Quaternion<S>& b, const
   const S real = a[0] * b[0], imag = dot(va, vb);
   const Vec<S, 3> turn = cross<S>(vb * a[0] + va * b[0], x);
   return {real + imag, x * (real - imag) + vb * dot(va, x) + va * dot(vb, x) + turn};
-}
-
-// Returns Im(d q*).
-template <class S>
-Vec<S, 3> scaled_translation(const Quaternion<S>& dual, const Quaternion<S>& rotation) {
-  const Vec<S, 3> dv = imaginary(dual), qv = imaginary(rotation);
-  return dv * rotation[0] - qv * dual[0] - cross(dv, qv);
 }
 
 // Returns the control point of degree 2: W_kl and N_kl = P_kl + T_kl.

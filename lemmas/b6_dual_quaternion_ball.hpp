@@ -24,11 +24,6 @@
 
 namespace refitlab {
 
-template <class S>
-Quaternion<S> pure_quaternion(const Vec<S, 3>& x) {
-  return {S(0), x[0], x[1], x[2]};
-}
-
 // Returns E_k.
 template <class S>
 Quaternion<S> reach_of(const BlendedDuals<S>& weight_vertex, const Vec<S, 3>& point, const Vec<S, 3>& center) {
@@ -50,11 +45,17 @@ S squared_reach(const BlendedDuals<S>& weight_vertex, const Vec<S, 3>& point, co
 
 // Returns the ball of the statement.
 template <class S>
-SquaredBall<S, 3> dual_quaternion_ball(const DualQuaternionBlend<S>& blend, const Quaternion<S>& axis, const Vec<S, 3>& center) {
+SquaredBall<S, 3> dual_quaternion_ball(std::span<const BlendedDuals<S>> weight_vertices, const Vec<S, 3>& point,
+                                       const Quaternion<S>& axis, const Vec<S, 3>& center) {
   S greatest(0);
-  for (std::size_t k = 0; k < blend.weight_vertex_count(); ++k)
-    greatest = max_of(greatest, squared_reach<S>({blend.rotations[k], blend.duals[k]}, blend.point, axis, center));
+  for (const BlendedDuals<S>& c : weight_vertices) greatest = max_of(greatest, squared_reach(c, point, axis, center));
   return {center, greatest * squared_norm(axis)};
+}
+template <class S>
+SquaredBall<S, 3> dual_quaternion_ball(const DualQuaternionBlend<S>& blend, const Quaternion<S>& axis, const Vec<S, 3>& center) {
+  std::vector<BlendedDuals<S>> weight_vertices;
+  for (std::size_t k = 0; k < blend.weight_vertex_count(); ++k) weight_vertices.push_back({blend.rotations[k], blend.duals[k]});
+  return dual_quaternion_ball<S>(weight_vertices, blend.point, axis, center);
 }
 
 // --- Hypotheses ---
@@ -118,5 +119,5 @@ Verdict reach_is_distance(const DualQuaternionBlend<S>& blend, std::size_t k, co
 }  // namespace refitlab
 
 // Sources: none; for the blending [Kavan, Collins, Zara, O'Sullivan 2007, "Skinning with dual quaternions"].
-// Used by: b7_motion_bound; algorithms/certificate/bound.cpp, algorithms/runtime/refit/dual_quaternion.hpp,
+// Used by: algorithms/certificate/bound.cpp, algorithms/runtime/refit/dual_quaternion.hpp,
 // experiments/drawings/control_hulls.cpp.

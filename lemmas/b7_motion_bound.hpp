@@ -54,7 +54,7 @@
 #pragma once
 
 #include "lemmas/b1_rational_bezier_simplex.hpp"
-#include "lemmas/b6_dual_quaternion_ball.hpp"
+#include "lemmas/vocabulary/blending.hpp"
 #include "lemmas/vocabulary/rigid.hpp"
 
 namespace refitlab {
@@ -80,6 +80,17 @@ S squared_spread(const std::vector<Vec<S, 3>>& images) {
 template <class S>
 S squared_spread_of_sums(const S& count, const S& squares, const Vec<S, 3>& sum) {
   return count * squares - squared_norm(sum);
+}
+
+// By how much the squared spread of a point may exceed that of f, in the square's root and for each unit of ||v - f||: these return
+// the factors of the statement's last 2 n (n - 1) (1 - c^2), of the count and of the cosine.
+template <class S>
+S squared_turn_of_count(const S& count) {
+  return S(2) * count * (count - S(1));
+}
+template <class S>
+S squared_turn_of_cosine(const S& cosine) {
+  return (S(1) - cosine) * (S(1) + cosine);
 }
 
 // Returns s^2, or for c >= 3/5 a little more: (1 - c) / (4 (1 + c)) is 1 - c times a convex function of c, which its chord from c
@@ -135,7 +146,7 @@ DualQuaternionBlend<S> dual_blend(const std::vector<RigidTransform<S>>& transfor
   DualQuaternionBlend<S> blend{{}, {}, point};
   for (const auto& c : transforms) {
     blend.rotations.push_back(c.rotation);
-    blend.duals.push_back(multiply(pure_quaternion(c.translation), c.rotation) / S(2));
+    blend.duals.push_back(dual_part(c));
   }
   return blend;
 }
@@ -264,7 +275,7 @@ template <class S>
 Verdict turns_little(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& vector) {
   const S n(static_cast<int>(transforms.size()));
   return less_equal(squared_spread(images_of(rotations_alone(transforms), vector)),
-                    S(S(2) * n * (n - S(1)) * (S(1) - sq(cosine)) * squared_norm(vector)));
+                    S(squared_turn_of_count(n) * squared_turn_of_cosine(cosine) * squared_norm(vector)));
 }
 
 // Judges Pythagoras' theorem for a least-squares center: the squared spread of a point is that of the center plus that of the
@@ -280,5 +291,6 @@ Verdict splits_spread(const std::vector<RigidTransform<S>>& transforms, const Ve
 
 // Sources: none.
 // Used by: c8_any_pose; algorithms/bake/over_time/moving_vertices.cpp,
-// algorithms/runtime/collide/motion_bound_lanes.hpp, experiments/drawings/control_hulls.cpp,
+// algorithms/runtime/collide/motion_bound_lanes.hpp, algorithms/runtime/collide/motion_bound_packs.cpp,
+// algorithms/runtime/collide/motion_bound_piece_kernel.cpp, experiments/drawings/control_hulls.cpp,
 // experiments/drawings/motion.cpp.

@@ -191,15 +191,13 @@ std::optional<Bound> search(const Claim& claim, const std::vector<typename Claim
   return bound;
 }
 
-// A joint whose quaternion q is not of unit length maps by M = ||q||^2 R_q + 1 - ||q||^2, which makes a vector longer.
+// Judges linear blending. A joint whose quaternion is not of unit length may make a vector longer.
 bool linear_holds(const PaletteEntry<Rational>& palette, const std::vector<std::vector<Rational>>& weight_vertices,
                   const Ball3<Rational>& reference, const Ball3<Rational>& ball) {
   for (const auto& w : weight_vertices) {
     Rational growth(0);
-    for (std::size_t i = 0; i < w.size(); ++i) {
-      const Rational n = squared_norm(palette.transforms[i].rotation);
-      growth += w[i] * (n + abs(Rational(1 - n)));
-    }
+    for (std::size_t i = 0; i < w.size(); ++i)
+      growth += w[i] * stretch_of_rotate<Rational>(squared_norm(palette.transforms[i].rotation));
     const Ball3<Rational> image{blend_linear<Rational>(palette, w, reference.center), reference.radius * growth};
     if (encloses(ball, image) != Verdict::holds) return false;
   }
@@ -222,10 +220,7 @@ std::optional<Bound> find_stretch(const PaletteEntry<Rational>& palette,
   Bound bound{.by = By::stretch};
   for (const AffineMap<Rational>& map : palette.maps) bound.of_joints.push_back(root_above(squared_stretch(map)));
   for (const auto& w : weight_vertices) {
-    Rational of_joints(0);
-    for (std::size_t i = 0; i < w.size(); ++i) of_joints += w[i] * bound.of_joints[i];
-    const Rational of_blend = root_above(squared_stretch(blended_map<Rational>(palette.maps, w)));
-    bound.of_weight_vertices.push_back(min_of(of_joints, of_blend));
+    bound.of_weight_vertices.push_back(root_above(blended_squared_stretch<Rational>(palette.maps, bound.of_joints, w)));
     const Ball3<Rational> image{linear_blend<Rational>(palette.maps, w, reference.center),
                                 reference.radius * bound.of_weight_vertices.back()};
     if (encloses(ball, image) != Verdict::holds) return {};

@@ -46,12 +46,11 @@ class AabbTree : public SkinningDetector {
   void refit() override {
     refit(0, skinned(0));
     const RigidTransform<double> to_first = this->to_first();
-    const Point3 x = rotate<double>(to_first.rotation, Point3::UnitX()), y = rotate<double>(to_first.rotation, Point3::UnitY()),
-                 z = rotate<double>(to_first.rotation, Point3::UnitZ());
+    const auto rows = rotation_rows(to_first.rotation);
     moved_.resize(skinned(1).size());
     for (std::size_t v = 0; v < moved_.size(); ++v) {
       const Point3& p = skinned(1)[v];
-      moved_[v] = x * p[0] + y * p[1] + z * p[2] + to_first.translation;
+      moved_[v] = Point3(dot(rows[0], p), dot(rows[1], p), dot(rows[2], p)) + to_first.translation;
     }
     refit(1, moved_);
     const auto size = [&](int side) {

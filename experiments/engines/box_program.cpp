@@ -7,6 +7,7 @@
 #include <map>
 
 #include "experiments/engines/bind_box.hpp"
+#include "lemmas/a1_affine_image.hpp"
 
 namespace refitlab {
 namespace {
@@ -62,8 +63,7 @@ BoxProgram::BoxProgram(const SkinnedMesh& mesh, std::span<const Pose> expected, 
     const Point3 about = apply(expected[p][0], middle_);
     for (std::size_t j = 0; j < boxes.size(); ++j) {
       placed[j].offset = (apply(expected[p][j], middle_) - about) / size_;
-      for (int row = 0; row < 3; ++row)
-        for (int i = 0; i < 3; ++i) placed[j].rows[row][i] = rotate<double>(expected[p][j].rotation, Point3::Unit(i))[row];
+      placed[j].rows = rotation_rows(expected[p][j].rotation);
     }
     for (int axis = 0; axis < 3; ++axis)
       for (const double side : {-1., 1.}) {
@@ -115,7 +115,7 @@ double BoxProgram::edge(std::size_t pose, int axis) const {
 double BoxProgram::reach(const Wall& wall, std::size_t joint, const RoundedBox& box) const {
   const PlacedJoint& placed = poses_[wall.pose][joint];
   return wall.side * (dot<double, 3>(placed.rows[wall.axis], box.center) + placed.offset[wall.axis]) +
-         dot<double, 3>(placed.rows[wall.axis].cwiseAbs(), box.half) + box.radius;
+         image_half_extent<double>(placed.rows[wall.axis], box.half) + box.radius;
 }
 
 // The mean growth of the character's boxes, as a share of the volume, if all of these joints had balls around their boxes.

@@ -35,7 +35,8 @@ class BoxProgram {
   // A joint that moves vertices, in one pose: the rows of its matrix, and where the middle of the mesh goes, in units of its
   // size.
   struct PlacedJoint {
-    Point3 rows[3], offset;
+    std::array<Point3, 3> rows;
+    Point3 offset;
   };
   struct Wall {
     std::size_t pose;

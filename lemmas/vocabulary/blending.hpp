@@ -33,6 +33,20 @@ Vec<S, 3> turn_and_place(const BlendedJoints<S>& blend, const S& squared_length,
   return turned * scale + blend.center_image;
 }
 
+// Returns d = t q / 2 of the dual quaternion q + eps d of a transform, the rotation q and then the translation t. It has the sign of
+// the transform's q.
+template <class S>
+Quaternion<S> dual_part(const RigidTransform<S>& c) {
+  return multiply(pure_quaternion(c.translation), c.rotation) / S(2);
+}
+
+// Returns Im(d q*), which is ||q||^2 / 2 times the translation of q + eps d.
+template <class S>
+Vec<S, 3> scaled_translation(const Quaternion<S>& dual, const Quaternion<S>& rotation) {
+  const Vec<S, 3> dv = imaginary(dual), qv = imaginary(rotation);
+  return dv * rotation[0] - qv * dual[0] - cross(dv, qv);
+}
+
 // A blend of dual quaternions q + eps d is linear in the weights.
 template <class S>
 struct BlendedDuals {
@@ -43,9 +57,7 @@ struct BlendedDuals {
 // Returns Im(q v q*) + 2 Im(d q*), which is ||q||^2 times the image of v by q + eps d.
 template <class S>
 Vec<S, 3> scaled_motion(const BlendedDuals<S>& blend, const Vec<S, 3>& v) {
-  const Vec<S, 3> turned = rotate_scaled<S>(blend.rotation, v);
-  const Vec<S, 3> moved = imaginary<S>(multiply(blend.dual, conjugate(blend.rotation))) * S(2);
-  return turned + moved;
+  return rotate_scaled<S>(blend.rotation, v) + scaled_translation(blend.dual, blend.rotation) * S(2);
 }
 
 // Computes dual quaternion linear blending [Kavan, Collins, Zara, O'Sullivan 2007, "Skinning with dual quaternions"]: the image

@@ -25,6 +25,11 @@ Vec<S, 3> imaginary(const Quaternion<S>& q) {
 }
 
 template <class S>
+Quaternion<S> pure_quaternion(const Vec<S, 3>& x) {
+  return {S(0), x[0], x[1], x[2]};
+}
+
+template <class S>
 Quaternion<S> conjugate(const Quaternion<S>& q) {
   return {q[0], -q[1], -q[2], -q[3]};
 }
@@ -63,7 +68,19 @@ Vec<S, 3> rotate(const Quaternion<S>& unit, const Vec<S, 3>& x) {
   return {x[0] + displacement[0], x[1] + displacement[1], x[2] + displacement[2]};
 }
 
-// Returns the rows of the rotation's matrix for a unit q (QUAT2MATRIX of Algorithm 1).
+// Let ||q||^2 = n, which is not quite 1 for a computed unit quaternion. rotate(q, x) is n R_q x + (1 - n) x then. This returns
+// how far that is from R_q x at most, as a share of ||x||, for defects |1 - n| up to this one.
+template <class S>
+constexpr S error_of_rotate(const S& defect) {
+  return S(2) * defect;
+}
+// Returns by which factor rotate(q, x) stretches x at most.
+template <class S>
+S stretch_of_rotate(const S& squared_length) {
+  return squared_length + absolute<S>(S(1) - squared_length);
+}
+
+// Returns the rows of the matrix of rotate(), which is the rotation's for a unit q (QUAT2MATRIX of Algorithm 1).
 template <class S>
 std::array<Vec<S, 3>, 3> rotation_rows(const Quaternion<S>& unit) {
   const S x = unit[1] + unit[1], y = unit[2] + unit[2], z = unit[3] + unit[3];

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/rational.hpp"
 #include "proptests/harness/harness.hpp"
 
@@ -73,9 +74,6 @@ void reaches_share(Suite& t, const std::string& sentence, double share, const Dr
 }
 
 namespace gen {
-
-// Draws any of 0 ... n - 1, each as often, whatever RapidCheck's size is.
-inline std::size_t any_place(std::size_t n) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, n)); }
 
 // Returns a place of a list, in words.
 inline std::string place(std::size_t k, std::size_t n) { return k == 0 ? "the first" : k + 1 == n ? "the last" : "a middle one"; }

@@ -3,8 +3,10 @@
 
 #include "proptests/counterexamples/b8_blend_error.hpp"
 #include "proptests/gen/quaternion.hpp"
+#include "proptests/gen/rigid.hpp"
 #include "proptests/gen/vector.hpp"
 #include "proptests/gen/weakening.hpp"
+#include "proptests/gen/weights.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/skinning.hpp"
@@ -65,6 +67,42 @@ struct SharpCase {
   }
 };
 
+// Draws a spherical blend of up to four joints with two lists of convex weights, which may be near each other or equal, and the least
+// errors that are rational.
+struct SphericalCase {
+  PointOfJoints<Rational> of;
+  std::vector<Rational> w, other;
+  ChangeOfWeights<Rational> error{};
+
+  SphericalCase() {
+    const int count = 1 + gen::any_place(4);
+    for (int k = 0; k < count; ++k) of.transforms.push_back(*gen::rigid_transform());
+    of.center = *gen::rational_vector<3>(), of.point = *gen::rational_vector<3>(), of.from = *gen::rational_vector<3>();
+    w = *gen::convex_weights(count);
+    other = *gen::convex_weights(count);
+    const Rational share = *rc::gen::element(Rational(0), Rational(1, 1000000), Rational(1, 8), Rational(1));
+    for (std::size_t k = 0; k < w.size(); ++k) other[k] = w[k] + share * (other[k] - w[k]);
+    of.middle = RationalVec<3>::Zero();
+    for (const auto& c : of.transforms) of.middle += rotate<Rational>(c.rotation, of.point - of.center) / count;
+    const Rational shortest = std::min(squared_length(w), squared_length(other));
+    RC_PRE(shortest > 0);
+    Rational image(0), turned(0);
+    for (std::size_t k = 0; k < w.size(); ++k) {
+      const auto& c = of.transforms[k];
+      error.weights += abs(Rational(other[k] - w[k]));
+      image = std::max(image, squared_distance<Rational, 3>(apply(c, of.point), of.from));
+      turned = std::max(turned, squared_distance<Rational, 3>(rotate<Rational>(c.rotation, of.point - of.center), of.middle));
+    }
+    error.image = upper_root(image), error.turned = upper_root(turned), error.inverse_length = upper_root(Rational(1) / shortest);
+  }
+  Rational squared_length(const std::vector<Rational>& weights) const {
+    return squared_norm(blended_rotation<Rational>(of.transforms, weights));
+  }
+  Verdict hypotheses() const { return spherical_move_hypotheses<Rational>(of, w, other, error); }
+  ImagesOfBlends<Rational> images() const { return spherical_move_is_little<Rational>(of, w, other, error); }
+  bool is_degenerate() const { return w.size() == 1 || error.weights == 0 || error.turned == 0; }
+};
+
 RationalVec<3> translation_of(const Blend& blend) {
   const auto product =
       oracle::hamilton<Rational>(blend.dual, {blend.rotation[0], -blend.rotation[1], -blend.rotation[2], -blend.rotation[3]});
@@ -111,6 +149,64 @@ void images_are_near_each_other(Suite& t) {
                squared_distance<b8::Q, 3>(turned.image, turned.other) == b8::Q(36, 25) &&
                squared_distance<b8::Q, 3>(moved.image, moved.other) == b8::Q(1);
       });
+}
+
+// Returns the spherical image by Equation (1), with the rotation's matrix.
+RationalVec<3> spherical_image(const SphericalCase& c, const std::vector<Rational>& weights) {
+  RationalQuaternion q = zero;
+  RationalVec<3> image = RationalVec<3>::Zero();
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    const auto& joint = c.of.transforms[k];
+    q += joint.rotation * weights[k];
+    image += oracle::times(oracle::affine_of(joint.rotation, joint.translation), c.of.center) * weights[k];
+  }
+  return oracle::times(oracle::affine_of(q, image), RationalVec<3>(c.of.point - c.of.center));
+}
+
+void spherical_images_are_near_each_other(Suite& t) {
+  t.holds("a spherical blend whose weights are off by e moves by no more than e (a + s (1 + kappa + kappa^2))",
+          {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.1, .degenerate_at_most = 0.8}, [] {
+            const SphericalCase c;
+            RC_CLASSIFY(c.is_degenerate(), "degenerate");
+            RC_ASSERT(c.hypotheses() == Verdict::holds);
+            const auto found = c.images();
+            RC_ASSERT(found.verdict == Verdict::holds);
+            RC_ASSERT(found.image == spherical_image(c, c.w) && found.other == spherical_image(c, c.other));
+            const Rational kappa = c.error.inverse_length;
+            const Rational bound = c.error.weights * (c.error.image + c.error.turned * (1 + kappa + kappa * kappa));
+            RC_ASSERT(move_of_error(c.error) == bound);
+          });
+  t.holds("each part of a spherical witness is checked by itself", {.number_type = "rational", .cases = 300}, [] {
+    SphericalCase c;
+    c.error.weights += 1000000;
+    RC_PRE(c.error.image > 0);
+    const auto found = c.images();
+    RC_ASSERT(found.verdict == Verdict::holds);
+    const Rational amount = *gen::excess();
+    for (int i = 0; i < 3; ++i)
+      for (const bool is_other : {false, true}) {
+        auto wrong = found;
+        (is_other ? wrong.other : wrong.image)[i] += amount;
+        RC_ASSERT(are_spherical_images<Rational>(c.of, c.w, c.other, c.error, wrong) == Verdict::fails);
+      }
+  });
+  needs_each_part(t, "the bound of spherical blends needs each part of its hypotheses", 0, [] {
+    SphericalCase c;
+    while (c.is_degenerate() || c.error.image == 0) c = SphericalCase();
+    const Rational rest = Rational(1) / (Rational(2) + *gen::excess());
+    std::string part;
+    switch (gen::any_place(8)) {
+      case 0: part = "weights are not convex", c.w[0] += 1, c.error.weights += 1; break;
+      case 1: part = "the other weights are not convex", c.other[0] += 1, c.error.weights += 1; break;
+      case 2: part = "weights change by more than e", c.error.weights *= rest; break;
+      case 3: part = "an image is farther than a", c.error.image *= rest; break;
+      case 4: part = "a turned vector is farther than s", c.error.turned *= rest; break;
+      case 5: part = "a is negative", c.error.image = -c.error.image; break;
+      case 6: part = "kappa is less than that of a blend", c.error.inverse_length *= rest; break;
+      default: part = "a rotation is not of unit length", c.of.transforms[0].rotation *= Rational(1) + rest; break;
+    }
+    return Weakening{part, c.hypotheses(), std::nullopt};
+  });
 }
 
 void verdicts_and_witnesses_are_checked(Suite& t) {
@@ -211,6 +307,7 @@ void hypotheses_need_each_part(Suite& t) {
 
 PROPTEST(b8_blend_error) {
   images_are_near_each_other(t);
+  spherical_images_are_near_each_other(t);
   verdicts_and_witnesses_are_checked(t);
   hypotheses_need_each_part(t);
   t.example("a quaternion of 0 has no translation", {}, [] {

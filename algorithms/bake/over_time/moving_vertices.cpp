@@ -16,6 +16,7 @@
 #include "algorithms/runtime/skinning/rotation_center.hpp"
 #include "lemmas/a3_morph_displacement.hpp"
 #include "lemmas/b7_motion_bound.hpp"
+#include "lemmas/b8_blend_error.hpp"
 #include "lemmas/c1_chord_bound.hpp"
 #include "lemmas/c3_normalized_motion.hpp"
 #include "lemmas/c4_chain_motion.hpp"
@@ -382,36 +383,32 @@ double MovingVertices::farthest_image(const Set& set, const JointCell& cell) con
   return size;
 }
 
-// A dual quaternion whose parts are q and d carries a vertex, seen from where it is before it is skinned, to the imaginary part
-// of 2 d q* / ||q||^2. Let A be the greatest length of an image by one joint. Then ||d|| <= A / 2, for the joints' unit dual
-// quaternions and so for their blend. Let weights change by e together, and their sum and the signs of quaternions stay. Then d
-// changes by A e / 2 at most, q by e, and q* / ||q||^2 by e / (||q|| ||q'||), where q' is the changed blend. That is A e (1 /
-// ||q|| + 1 / (||q|| ||q'||)) in all. Here ||q|| stands for ||q'||, which is less by e at most; rounding to multiples of 2^-24
-// makes an e of half a unit a joint, and a whole unit is counted (model_bounds.cpp).
-double MovingVertices::growth_of_blend(const Set& set, const JointCell& cell) const {
-  if (!blends(set)) return 1;
-  const double least = std::sqrt(std::max(squared_blend(set, rotations(set, cell)), squared_shortest_blend));
-  return 1 / least + 1 / sq(least);
+// Returns 1 / ||q|| at most, of the blends q of a joint-set's quaternions.
+double MovingVertices::inverse_blend(const Set& set, const JointCell& cell) const {
+  return 1 / std::sqrt(std::max(squared_blend(set, rotations(set, cell)), squared_shortest_blend));
 }
 
-// Spherical blending carries v to Q u + sum w_k C_k c, where c is the rotation center, u = v - c, C_k is the k-th of n
-// transforms, R_k its rotation, and Q that of the blend q of the unit quaternions q_k. Let y be the mean of the R_k u, and d_k =
-// R_k u - y. Then q_k u = R_k u q_k, and so Q u = q u q^-1 is y plus the imaginary part of (sum w_k d_k q_k) q^-1, which changes
-// as that of the dual quaternions above does, with the greatest ||d_k|| in the place of A. Since C_k c = C_k v - R_k u, the
-// vertex is sum w_k C_k v + (Q u - y) - sum w_k d_k. So it changes by e (A + ||d|| (1 + g)) at most, where g is the growth above.
-// Finally, n sum ||d_k||^2 is the sum over pairs of ||(R_k - R_l) u||^2. The center makes that no more than the sum of ||C_k v -
-// C_l v||^2, which is n times a sum of n squares of at most A: C_k v - C_l v is (R_k - R_l) u plus C_k c - C_l c, and the latter
-// is least squares' residual, at right angles to all that moves c. In directions in which rotations hardly differ, c stays with
-// the prior, and there ||(R_k - R_l) u|| is at most the tolerance of that, times the distance from the prior.
+// Says how far vertices move if their weights change, and their sum and the signs of quaternions stay, by b8_blend_error. A vertex is
+// seen from where it is before it is skinned, and so a joint's dual part is half as long as its image of the vertex. ||q|| stands for
+// that of the changed blend as well, which is less by the change at most; rounding to multiples of 2^-24 makes a change of half a unit a
+// joint, and a whole unit is counted (model_bounds.cpp).
+//
+// Spherical blends are about the rotation center c. There let y be the mean of the n vectors R_k u. Then n
+// sum ||R_k u - y||^2 is the sum over pairs of ||(R_k - R_l) u||^2. The center makes that no more than the sum of ||C_k v - C_l v||^2,
+// which is n times a sum of n squares of at most a: C_k v - C_l v is (R_k - R_l) u plus C_k c - C_l c, and the latter is least
+// squares' residual, at right angles to all that moves c. In directions in which rotations hardly differ, c stays with the prior, and
+// there ||(R_k - R_l) u|| is at most the tolerance of that, times the distance from the prior.
 ErrorGrowth MovingVertices::error_growth(const Set& set, const JointCell& cell) const {
   const std::size_t kept = joint_sets_.joints(set.index).size();
-  const double image = farthest_image(set, cell), growth = growth_of_blend(set, cell);
-  const bool is_about_center = skinning_ == Skinning::spherical && blends(set);
+  const bool is_blended = blends(set), is_about_center = skinning_ == Skinning::spherical && is_blended;
+  const double image = farthest_image(set, cell), kappa = is_blended ? inverse_blend(set, cell) : 1;
+  const double growth = is_blended ? move_of_error(BlendError<double>{1, 0.5, 0.5, kappa}) : 1;  // for an image that is 1 away
   const double off_center = is_about_center ? tolerance_of_center(kept) * farthest_from_prior(set, cell) : 0;
   // Returns how far a vertex moves for each unit of the sum of the errors of weights, of joints whose images are this far away.
   const auto moved = [&](double size) {
     if (!is_about_center) return size * growth;
-    return size + (size * std::sqrt(static_cast<double>(kept)) + off_center) * (1 + growth);
+    const double turned = size * std::sqrt(static_cast<double>(kept)) + off_center;
+    return move_of_error(ChangeOfWeights<double>{1, size, turned, kappa});
   };
   ErrorGrowth out;
   // Without a blend of quaternions, or if they are all the same, an image is off by its own error.

@@ -113,7 +113,7 @@ class MovingVertices {
   // Returns whether quaternions of several joints are blended, those of lost influences included.
   bool blends(const Set& set) const;
   // Returns the factor by which the blend of a set's quaternions, if there is one, enlarges an error of the weights.
-  double growth_of_blend(const Set& set, const JointCell& cell) const;
+  double inverse_blend(const Set& set, const JointCell& cell) const;
   // Returns the greatest growth of errors in any vertex of the set.
   ErrorGrowth error_growth(const Set& set, const JointCell& cell) const;
   // Returns how far the set's vertices are at most from the prior of their rotation center, in the reference pose.

@@ -78,11 +78,10 @@ const PackedBalls& BatchRefit::linear(const SkinningPalette<double>& palette, Ta
     }
     numbers_.push_back(linear_refit_slack(static_cast<int>(set.transforms.size())) *
                        (static_cast<float>(checked_single(1.001 * std::sqrt(size))) + packed_.largest_reference()));
-    numbers_.push_back(float_above(2 * (defect + 0x1p-48)));  // what is below the rounding of ||q||^2 included
+    numbers_.push_back(float_above(error_of_rotate(defect + 0x1p-48)));  // what is below the rounding of ||q||^2 included
     for (const auto& t : set.transforms) {
-      Point3 column[3];
-      for (int i = 0; i < 3; ++i) column[i] = rotate<double>(t.rotation, Point3::Unit(i));
-      for (int row = 0; row < 3; ++row) append<4>(numbers_, {column[0][row], column[1][row], column[2][row], t.translation[row]});
+      const auto rows = rotation_rows(t.rotation);
+      for (int i = 0; i < 3; ++i) append<4>(numbers_, {rows[i][0], rows[i][1], rows[i][2], t.translation[i]});
     }
   }
   const RefitKernels& kernels = refit_kernels(target);

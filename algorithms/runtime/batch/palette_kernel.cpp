@@ -140,14 +140,8 @@ S float_slack(const JointLanes<N>& lanes, const Vec<S, 3>& offset, const S& radi
   constexpr double u = 0x1p-24 * float_slack_and_more;
   const S length = radius + norm(offset), image = root(squared_image);
   const S slack = (length * S(float_slack_per_length(N) * u) + image * S(float_slack_per_image(N) * u)) +
-                  length * S(2 * at.defect) + S(at.lost + least_float_slack);
-  S shortest = squared_norm(lanes.transforms[0].rotation), cosine = shortest;
-  for (int j = 1; j < N; ++j) {
-    shortest = min_of(shortest, squared_norm(lanes.transforms[j].rotation));
-    for (int i = 0; i < j; ++i) cosine = min_of(cosine, dot(lanes.transforms[i].rotation, lanes.transforms[j].rotation));
-  }
-  cosine = min_of(cosine, shortest);
-  const S squared_blend = cosine + (shortest - cosine) * S(1.0 / N);
+                  length * S(error_of_rotate(at.defect)) + S(at.lost + least_float_slack);
+  const S squared_blend = least_squared_blend<S>(std::span(lanes.transforms));
   const auto holds =
       squared_blend > S(1.000001 / (largest_float_kappa * largest_float_kappa)) && length + image <= S(largest_float_length);
   return choose(holds, slack, S(infinite));

@@ -113,7 +113,7 @@ class BoxKernel {
     MixedPair<Pack> mixed[N][N];
     for (int k = 0; k < N; ++k)
       for (int l = 0; l <= k; ++l) mixed[k][l] = mix_rotations(q[k], q[l], x);
-    const Mask near = are_near<N>(mixed, near_of_degree_three);
+    const Mask near = are_all_near<N>(mixed, near_of_degree_three);
     Box<Pack> box = Box<Pack>::empty(), anyhow = box;
     for (int j = 0; j < N; ++j) {
       anyhow.merge(turned(r[j]));
@@ -164,7 +164,7 @@ class BoxKernel {
     MixedPair<Pack> mixed[N][N];
     for (int k = 0; k < N; ++k)
       for (int l = 0; l <= k; ++l) mixed[k][l] = mix_motions<Pack>({q[k], d[k]}, {q[l], d[l]}, point);
-    const Mask near = are_near<N>(mixed, near_of_degree_two);
+    const Mask near = are_all_near<N>(mixed, near_of_degree_two);
     Box<Pack> box = Box<Pack>::empty();
     for (int k = 0; k < N; ++k)
       for (int l = 0; l <= k; ++l) box.merge(turned(mixed[k][l].numerator * (Pack(1.f) / mixed[k][l].weight)));
@@ -173,17 +173,14 @@ class BoxKernel {
     return choose(near, box, Box<Pack>::everything());
   }
 
-  // Returns true in lanes where every pair has W_kl > 0 and near W_kl^2 > W_kk W_ll, and no weight vertex is short.
+  // Returns true in lanes where the weight vertices of every pair are near, and none is short.
   template <int N>
-  static Mask are_near(const MixedPair<Pack> (&mixed)[N][N], double near) {
+  static Mask are_all_near(const MixedPair<Pack> (&mixed)[N][N], double near) {
     Mask all(true);
     for (int k = 0; k < N; ++k) {
       const Pack& own = mixed[k][k].weight;
       all = all && own > 0.25f;
-      for (int l = 0; l < k; ++l) {
-        const Pack& w = mixed[k][l].weight;
-        all = all && w > 0.f && w * w * static_cast<float>(near) > own * mixed[l][l].weight;
-      }
+      for (int l = 0; l < k; ++l) all = all && are_near(mixed[k][l].weight, own, mixed[l][l].weight, near);
     }
     return all;
   }

@@ -123,10 +123,8 @@ void bound_boxes(const BoxPieces& pieces, Skinning skinning, const JointFloats& 
   for (FlippedBox& b : boxes) b.set_all(is_in_range ? infinity : -infinity);
   if (!is_in_range) return;
   float matrix[9];
-  for (int i = 0; i < 3; ++i) {
-    const Point3 column = rotate<double>(rotation, Point3::Unit(i));
-    for (int k = 0; k < 3; ++k) matrix[3 * k + i] = static_cast<float>(column[k]);
-  }
+  const auto rows = rotation_rows(rotation);
+  for (int i = 0; i < 9; ++i) matrix[i] = static_cast<float>(rows[i / 3][i % 3]);
   const BoxKernels& kernels = box_kernels(target);
   for (int n = 0; n < most_box_joints; ++n)
     kernels.bound(pieces.packs[n].data(), pieces.packs[n].size(), n + 1, skinning, joints.slots.data(), joints.centers.data(),

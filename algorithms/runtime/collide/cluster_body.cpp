@@ -141,7 +141,7 @@ void ClusterBody::make_motion_bound() {
 }
 
 // Returns a box around the node's ball in the placement's rotation, with what is lost by it (lost_of_placements, and
-// collide.cpp): a rotation with ||q||^2 = 1 + e stretches by at most 2 |e|.
+// collide.cpp).
 Box<double> ClusterBody::box_of_deformed(int node) {
   if (!deformed_->are_balls_begun) {
     deformed_->balls.begin(clusters_.measured_palette(), &deformed_->reference);
@@ -150,8 +150,9 @@ Box<double> ClusterBody::box_of_deformed(int node) {
   const Ball3<double>& ball = deformed_->balls[node];
   const double defect = std::abs(squared_norm(placement_.rotation) - 1);
   const Point3 center = rotate<double>(placement_.rotation, ball.center);
-  const double reach =
-      ball.radius + (lost_of_placements + 8 * defect) * (upper_norm(ball.center) + ball.radius) + least_float_slack;
+  const double reach = ball.radius +
+                       (lost_of_placements + 4 * error_of_rotate(defect)) * (upper_norm(ball.center) + ball.radius) +
+                       least_float_slack;
   if (!(reach < std::numeric_limits<double>::infinity())) return Box<double>::everything();
   return {center - Point3::Constant(reach), center + Point3::Constant(reach)};
 }

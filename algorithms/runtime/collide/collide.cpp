@@ -20,7 +20,7 @@ double slack_of(const PlacedBody& first, const PlacedBody& second) {
   constexpr double u = std::numeric_limits<double>::epsilon() / 2;
   double defect = 16 * u;
   for (const PlacedBody* b : {&first, &second}) defect += std::abs(squared_norm(b->placement.rotation) - 1);
-  return lost_of_placements + 8 * defect;
+  return lost_of_placements + 4 * error_of_rotate(defect);
 }
 
 class Traversal {

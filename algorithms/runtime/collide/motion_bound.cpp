@@ -12,6 +12,19 @@
 #include "algorithms/runtime/skinning/rotation_center.hpp"
 
 namespace refitlab {
+namespace {
+
+// Moves a box whose coordinates may be off by lost, and grows it by that and by the roundings of this.
+void move(Box<double>& box, const Point3& by, double lost) {
+  for (int i = 0; i < 3; ++i) {
+    double &low = box.low[i], &high = box.high[i];
+    const double off = lost + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(by[i]));
+    low += by[i] - off, high += by[i] + off;
+  }
+}
+
+}  // namespace
+
 MotionBound::MotionBound(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning)
     : mesh_(mesh),
       sets_(sets),
@@ -147,7 +160,7 @@ Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& pla
   for (std::size_t p = 0; p < packs_.size(); ++p)
     for (std::uint32_t lanes = unbounded_[p]; lanes; lanes &= lanes - 1) add_unbounded(packs_[p].target[std::countr_zero(lanes)]);
   lost_of_joints_ = lost_of_motion_bound * most_joints_ * std::sqrt(static_cast<double>(squared_farthest));
-  move(box, placement.translation);
+  move(box, placement.translation, lost());
   return box;
 }
 
@@ -163,21 +176,8 @@ Box<double> MotionBound::box(const AffinePose& pose, const RigidTransform<double
       const AffineMap<double>& map = placed[static_cast<std::size_t>(j)];
       box.merge(box_of_image(map, g.reference, g.box, sizes_of(map, static_cast<int>(g.joints.size()))));
     }
-  for (int i = 0; i < 3; ++i) {
-    const double at = placement.translation[i];
-    const double off = 1e-14 * (max_of(std::abs(box.low[i]), std::abs(box.high[i])) + std::abs(at));
-    box.low[i] += at - off, box.high[i] += at + off;
-  }
+  move(box, placement.translation, 0);
   return box;
-}
-
-void MotionBound::move(Box<double>& box, const Point3& by) const {
-  for (int i = 0; i < 3; ++i) {
-    double &low = box.low[i], &high = box.high[i];
-    const double at = by[i];
-    const double off = lost() + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(at));
-    low += at - off, high += at + off;
-  }
 }
 
 bool MotionBound::boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, std::span<FlippedBox> out, Target target) {

@@ -60,7 +60,6 @@ class MotionBound {
 
   std::vector<Group> make_groups() const;
   void pack();
-  void move(Box<double>& box, const Point3& by) const;
   bool deviates() const;
   void add_about_centers(const Group& group, const Pose& pose, const Quaternion<double>& rotation, Box<double>& box) const;
 

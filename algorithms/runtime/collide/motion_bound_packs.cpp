@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
+#include "lemmas/b7_motion_bound.hpp"
 
 namespace refitlab {
 
@@ -35,7 +36,7 @@ void put_box(MotionBoundPiecePack& pack, int lane, int n, const Box<double>& box
       pack.half[i][to] = static_cast<float>(half[i]);
     }
     pack.lost[to] = static_cast<float>(lost_of_motion_bound * (n * length + half.norm()));
-    pack.spin[to] = static_cast<float>(std::sqrt(2.0 * n * (n - 1)) * ball.radius * (1 + 1e-6));
+    pack.spin[to] = static_cast<float>(std::sqrt(squared_turn_of_count<double>(n)) * ball.radius * (1 + 1e-6));
     pack.unsolved_more[to] = static_cast<float>(ball.radius * n / 64);
   }
 }

@@ -3,6 +3,7 @@
 
 #include "algorithms/runtime/collide/motion_bound_lanes.hpp"
 #include "lemmas/a1_affine_image.hpp"
+#include "lemmas/b7_motion_bound.hpp"
 
 namespace refitlab::REFITLAB_TARGET {
 namespace {
@@ -42,7 +43,7 @@ template <int slots, bool deviates, bool few, class Merge>
     const S of_f = images.spread(n) + load(pack.ball.unsolved + first);
     radius = radius + share * of_f;
     // A of a vertex is at most A of f plus what the rotations add.
-    const S turned = load(pack.spin + first) * root(max_of((S(1) - c) * (S(1) + c), S(0)));
+    const S turned = load(pack.spin + first) * root(max_of(squared_turn_of_cosine(c), S(0)));
     margin = margin + share * (of_f + (turned + load(pack.unsolved_more + first)));
   }
   Box<S> cut = images.box();

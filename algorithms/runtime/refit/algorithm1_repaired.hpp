@@ -14,15 +14,18 @@
 
 namespace refitlab {
 
-// Bounds the rotations for one joint-set's weights (lines 5 to 13).
-template <class Policy, class S>
-RotationBound<S> bound_joint_set_rotations(const RefitNode<S>& node, const NodePiece& set, std::vector<Quaternion<S>>& unit) {
+// Bounds the rotations for one joint-set's weights (lines 5 to 13). Line 13 is Lemma 4, of the cap about the center of the blends at
+// the weight vertices (rotation_bound). If a blend may vanish, the bound allows all rotations. blend(k) returns the blended quaternion
+// at weight vertex k.
+template <class Policy, class S, class Blend>
+RotationBound<S> bound_weight_vertex_rotations(std::size_t weight_vertex_count, const Blend& blend,
+                                               std::vector<Quaternion<S>>& unit) {
   unit.clear();
-  for (int k = 0; k < set.weight_vertex_count; ++k) {
-    const Quaternion<S> blend = blend_quaternion(node.palette[set.joint_set], node.weight_vertex(set, k));
-    const S squared_length = squared_norm(blend);
+  for (std::size_t k = 0; k < weight_vertex_count; ++k) {
+    const Quaternion<S> q = blend(k);
+    const S squared_length = squared_norm(q);
     if (!is_certainly_nonzero(squared_length)) return all_rotations<S>();
-    unit.push_back(blend / root(squared_length));
+    unit.push_back(q / root(squared_length));
   }
   const std::span<const Quaternion<S>> points(unit);
   return bound_rotations(points, Policy::template center_of_points<S, 4>(points));
@@ -35,9 +38,10 @@ Ball3<S> refit_algorithm1_repaired(const RefitNode<S>& node, RefitLists<S>& list
   lists.balls.clear();
   for (const NodePiece& set : node.pieces) {
     const PaletteEntry<S> palette = node.palette[set.joint_set];
-    const RotationBound<S> bound = bound_joint_set_rotations<Policy>(node, set, lists.quaternions);
+    const auto blend = [&](std::size_t k) { return blend_quaternion(palette, node.weight_vertex(set, static_cast<int>(k))); };
+    const RotationBound<S> bound = bound_weight_vertex_rotations<Policy, S>(set.weight_vertex_count, blend, lists.quaternions);
     const Vec<S, 3> u = node.reference.center - palette.rotation_center;
-    const Ball3<S> turned = rotated_ball(bound, u);  // lines 14 and 15
+    const Ball3<S> turned = rotated_ball(bound, u);  // line 14, and line 15: Lemma 5, repaired
     for (int k = 0; k < set.weight_vertex_count; ++k)
       lists.balls.push_back({blend_center(palette, node.weight_vertex(set, k)) + turned.center, turned.radius});
   }

@@ -8,8 +8,9 @@
 // reference ball stays within its radius of their hull. If rotations are far apart, the control points stray far from the
 // surface. So a simplex is halved (de Casteljau) at its widest edge, a few times, if it has rotations 120 degrees apart or
 // more, or a q'_k that is 0. A simplex that is still so wide then falls back on the cap bound of Algorithm 1 repaired,
-// which is no larger there. So no divisor W_kl is small relative to the quaternions. The lemmas are
-// b1_rational_bezier_simplex to b5_rotation_axis.
+// which is no larger there. So no divisor W_kl is small relative to the quaternions. That control points hold the blend is
+// b2_control_hull_encloses, that halving is sound is b3_subdivision, and the fallback is rotation_bound; b4_cap_fallback is what
+// certificates say in its place.
 //
 // All blends of quaternions share the halving: ControlHull is a template over the blend of a piece.
 #pragma once
@@ -74,9 +75,8 @@ class ControlHull {
 
   // Says whether the weight vertices are as near as the blend requires, and certainly not 0.
   bool is_near(std::size_t m, std::size_t k, std::size_t l) {
-    const S& w = dots(m, k, l);
-    return is_certainly_nonzero(dots(m, k, k)) && is_certainly_nonzero(dots(m, l, l)) && certainly_less(S(0), w) &&
-           certainly_less(S(dots(m, k, k) * dots(m, l, l)), S(S(Blend::near) * sq(w)));
+    const S &of_k = dots(m, k, k), &of_l = dots(m, l, l);
+    return is_certainly_nonzero(of_k) && is_certainly_nonzero(of_l) && are_near(dots(m, k, l), of_k, of_l, Blend::near);
   }
 
   // Makes the two simplices that share the middle of the edge (k, l).
@@ -129,17 +129,8 @@ class SphericalPiece {
 
   // Bounds the rotations by a cap, and the linear part by its values at the weight vertices.
   void fall_back(std::span<const WeightVertex> weight_vertex, ControlLists<S>& lists) const {
-    auto& unit = lists.cap.quaternions;
-    unit.clear();
-    RotationBound<S> bound = all_rotations<S>();
-    for (const WeightVertex& c : weight_vertex) {
-      const S squared_length = squared_norm(c.rotation);
-      if (is_certainly_nonzero(squared_length)) unit.push_back(c.rotation / root(squared_length));
-    }
-    if (unit.size() == weight_vertex.size()) {
-      const std::span<const Quaternion<S>> points(unit);
-      bound = bound_rotations(points, mean_center(points));
-    }
+    const auto blend = [&](std::size_t k) { return weight_vertex[k].rotation; };
+    const auto bound = bound_weight_vertex_rotations<MeanBalls, S>(weight_vertex.size(), blend, lists.cap.quaternions);
     const Ball3<S> turned = rotated_ball(bound, x_);
     const S radius = radius_ + turned.radius;
     for (const WeightVertex& c : weight_vertex) lists.cap.balls.push_back({c.center_image + turned.center, radius});

@@ -66,8 +66,8 @@ class DualQuaternionPiece {
       for (std::size_t l = k; l < m; ++l) lists.cap.balls.push_back({lists.products[k * m + l] / lists.dots[k * m + l], radius_});
   }
 
-  // Makes the ball about the mean f of the images at the weight vertices, with radius max ||2 d'_k + q'_k p - f q'_k||
-  // ||a|| / (q'_k, a), for an axis a with all (q'_k, a) > 0. If it finds no such axis, there is no bound.
+  // Makes the ball of b6_dual_quaternion_ball about the mean of the images at the weight vertices, for an axis that all of these are
+  // ahead of. If it finds no such axis, there is no bound.
   void fall_back(std::span<const WeightVertex> weight_vertex, ControlLists<S>& lists) {
     const Quaternion<S> axis = axis_of(weight_vertex);
     if (!is_ahead(weight_vertex, axis)) {
@@ -78,9 +78,7 @@ class DualQuaternionPiece {
     Vec<S, 3> middle = Vec<S, 3>::Constant(S(0));
     for (std::size_t k = 0; k < m; ++k) middle = middle + lists.products[k * m + k] / lists.dots[k * m + k];
     middle = middle / S(static_cast<double>(m));
-    S greatest(0);
-    for (const WeightVertex& c : weight_vertex) greatest = max_of(greatest, squared_reach(c, point_, axis, middle));
-    const S reach = root(S(greatest * squared_norm(axis)));
+    const S reach = root(dual_quaternion_ball(weight_vertex, point_, axis, middle).squared_radius);
     lists.cap.balls.push_back({middle, radius_ + reach + rounding_of(middle, reach)});
   }
 

@@ -79,8 +79,19 @@ S stretch_of(const AffineMap<S>& map) {
   else return root(squared_stretch(map));
 }
 
-// Measures the scales. Let d be the least ||q_i||^2, and c the least (q_i, q_j) of all pairs, or d if that is less. Then
-// c3_normalized_motion says how long blends are at least.
+// Returns the least squared length of convex blends of the quaternions by c3_normalized_motion (iii). Let d be the least ||q_i||^2,
+// and c the least (q_i, q_j) of all pairs, or d if that is less. transforms is not empty.
+template <class S, std::size_t count>
+S least_squared_blend(std::span<const RigidTransform<S>, count> transforms) {
+  S shortest = squared_norm(transforms[0].rotation), cosine = shortest;
+  for (std::size_t j = 1; j < transforms.size(); ++j) {
+    shortest = min_of(shortest, squared_norm(transforms[j].rotation));
+    for (std::size_t i = 0; i < j; ++i) cosine = min_of(cosine, dot(transforms[i].rotation, transforms[j].rotation));
+  }
+  return least_squared_blend(min_of(cosine, shortest), S(static_cast<int>(transforms.size())), shortest);
+}
+
+// Measures the scales. transforms is not empty.
 // kappa is no greater than for a squared length of half of least_squared_length. Blends at weight vertices are no shorter than
 // least_squared_length says. Between such that are 60 degrees apart at most, and in caps of up to 45 degrees, they are shorter by
 // sqrt(1/2) at most.
@@ -88,19 +99,14 @@ template <class S>
 PaletteScales<S> measure_palette(std::span<const RigidTransform<S>> transforms, std::span<const Vec<S, 3>> center_images) {
   static_assert(std::is_floating_point_v<S>);
   constexpr S up = S(1) + S(64) * std::numeric_limits<S>::epsilon(), rounding = S(64) * std::numeric_limits<S>::epsilon();
-  S image(0), translation(0), defect(0), shortest = std::numeric_limits<S>::infinity(), dot_product = shortest;
-  for (std::size_t i = 0; i < transforms.size(); ++i) {
-    const Quaternion<S>& q = transforms[i].rotation;
-    const S squared_length = squared_norm(q);
-    translation = max_of(translation, squared_norm(transforms[i].translation));
-    defect = max_of(defect, S(std::abs(squared_length - S(1))));
-    shortest = min_of(shortest, squared_length);
-    for (std::size_t j = 0; j < i; ++j) dot_product = min_of(dot_product, dot(q, transforms[j].rotation));
+  S image(0), translation(0), defect(0);
+  for (const RigidTransform<S>& t : transforms) {
+    translation = max_of(translation, squared_norm(t.translation));
+    defect = max_of(defect, absolute<S>(squared_norm(t.rotation) - S(1)));
   }
   for (const Vec<S, 3>& c : center_images) image = max_of(image, squared_norm(c));
-  dot_product = min_of(dot_product, shortest);
   const S n(static_cast<double>(transforms.size()));
-  const S squared_blend = max_of(S(least_squared_blend(dot_product, n, shortest) - rounding), S(least_squared_length<S>() / 2));
+  const S squared_blend = max_of(S(least_squared_blend(transforms) - rounding), S(least_squared_length<S>() / 2));
   // Quaternions are no longer than 1 + defect, and computed blends shorter by n u at most.
   const S off = defect + rounding,
           longer = (S(1) + off) * (S(1) + n * S(std::numeric_limits<S>::epsilon()) / root(squared_blend));
@@ -142,7 +148,7 @@ PaletteRounding<S> rounding_linear(const PaletteScales<S>& palette) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;
   const S n = palette.joints, t = palette.translation;
   const RoundingRates<S> vertex{u * (15 + n), S(0), u * (n + 1) * t};
-  return {vertex, {2 * vertex.per_length, 2 * palette.unit_defect, 2 * vertex.offset}};
+  return {vertex, {2 * vertex.per_length, error_of_rotate(palette.unit_defect), 2 * vertex.offset}};
 }
 template <class S>
 PaletteRounding<S> rounding_affine(const PaletteScales<S>& palette) {

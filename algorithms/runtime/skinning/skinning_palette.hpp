@@ -45,13 +45,6 @@ void make_signs_consistent(std::span<RigidTransform<S>> transforms) {
   }
 }
 
-// Returns d of the dual quaternion q + eps d of a transform. It has the sign of the transform's q.
-template <class S>
-Quaternion<S> dual_part(const RigidTransform<S>& c) {
-  const Vec<S, 3>& t = c.translation;
-  return multiply<S>({S(0), t[0], t[1], t[2]}, c.rotation) / S(2);
-}
-
 // An OwnedPaletteEntry is the palette of one joint-set with its own storage.
 template <class S>
 struct OwnedPaletteEntry {
