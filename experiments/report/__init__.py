@@ -3,6 +3,7 @@
 
 Nothing is measured here. tables reads and checks the rows, fitness says whether the paper may use them, statistics has the
 arithmetic of everything that is published; a module a section makes of the rows what its template of the same name shows;
-plots and drawings turn numbers into SVG; page puts the sections together. The paper,
-README and the reference take their rows, words and numbers from the same modules, and the reference is drawn from templates, too.
+plots and drawings turn numbers into SVG; page puts the sections together. readme makes README's measured blocks, blocks puts what
+is made of tables into README, and paper writes the paper's files, of paper_numbers and counterexamples in the words of formats. So
+README and the paper take their numbers from the modules that the page is made of. So does the reference, which has templates, too.
 """

@@ -36,8 +36,8 @@ SECTIONS = [
 
 EFFORTS = {"quick": "a smoke run", "default": "a first look"}
 # This says what experiments/options.cpp's full run adds to the default one.
-FULL = ("experiments/run --full looks at all clips, samples them five to a hundred times more often, tries all detectors and up to a million triangles, "
-        "draws larger pictures, and times each call for five to fifty times as long, in more repetitions: two to three hours. The paper's numbers are of such a run.")
+FULL = ("experiments/run --full looks at all clips and detectors, with more samples, larger models and pictures, and longer timings; README.md says "
+        "how long it takes. The paper's numbers are of such a run.")
 
 
 def said_of_effort(results):

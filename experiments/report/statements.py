@@ -4,22 +4,21 @@ Coq or why not, and the programs that run it.
 
 The tests' part is the run's (verdicts.csv), with what is proved for all points of a box of parameters (proptests/exhaustive/proved.csv) and
 with how many mutants by rule of the statement's file the tests kill (proptests/mutants/judged.csv). The proofs' part is
-lemmas/proofs/status.csv, which lemmas/proofs/check compares with the compiled library. The programs' part is the last lines of the lemmas, which proptests/architecture compares with the include directives;
-a statement about a program, which has no lemma, is run by that program.
+lemmas/proofs/status.csv, which lemmas/proofs/check compares with the compiled library. The programs' part is what proptests/declarations.py
+finds in the code: who calls a lemma's functions. A statement about a program, which has no lemma, is run by that program.
 """
 import pathlib
-import re
 import sys
 from dataclasses import dataclass
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "proptests/certificate"))
+sys.path += [str(pathlib.Path(__file__).resolve().parents[2] / folder) for folder in ("proptests", "proptests/certificate")]
 import agreed  # noqa: E402
+from declarations import users_of_lemmas  # noqa: E402
 
 from .tables import ResultError, grouped, stored
 from .verdicts import Verdict, refutations, said_of_claims
 
 STATUS, PROVED, JUDGED = "lemmas/proofs/status.csv", "proptests/exhaustive/proved.csv", "proptests/mutants/judged.csv"
-USED_BY = re.compile(r"// Used by: (.*(?:\n// .*)*)\n\Z")
 
 
 @dataclass
@@ -34,25 +33,16 @@ class Statement:
     proved: list
     refuted: list   # proved false
     unproved: list  # sentences that say what is not proved, and why
-    programs: list  # folders of algorithms/ and experiments/ that run it
-    through: list   # lemmas that use it
+    programs: list  # folders of algorithms/ and experiments/ whose code calls its functions
+    through: list   # lemmas whose functions call its functions, where what is shipped runs them
 
 
-def users(root, stem):
-    """Returns (folders of programs, lemmas that use it). Raises ResultError if there is neither a lemma nor a program of this
-    name."""
-    lemma = root / "lemmas" / f"{stem}.hpp"
-    if not lemma.exists():
-        found = sorted(p for name in {stem, stem.removeprefix("refit_")} for p in (root / "algorithms").rglob(f"{name}.hpp"))
-        if not found:
-            raise ResultError(f"{root / 'algorithms'}: there is no program of the name {stem}, and no lemma either")
-        return [str(p.relative_to(root)) for p in found], []
-    last = USED_BY.search(lemma.read_text())
-    if last is None:
-        raise ResultError(f"{lemma}: its last lines do not say by what it is used")
-    names = re.split(r"[,;] ", re.sub(r"\n// ", " ", last[1]).rstrip("."))
-    files = [name for name in names if "/" in name]
-    return sorted({str(pathlib.PurePosixPath(name).parent) for name in files}), [name for name in names if re.fullmatch(r"\w+", name)]
+def program_of(root, stem):
+    """Returns the files of the program that a statement without a lemma is about. Raises ResultError if there is none of this name."""
+    found = sorted(p for name in {stem, stem.removeprefix("refit_")} for p in (root / "algorithms").rglob(f"{name}.hpp"))
+    if not found:
+        raise ResultError(f"{root / 'algorithms'}: there is no program of the name {stem}, and no lemma either")
+    return [str(p.relative_to(root)) for p in found]
 
 
 def suite_of(root, stem):
@@ -67,16 +57,16 @@ def statements(root, verdicts):
     why not."""
     status, out = grouped(stored(root, STATUS), lambda row: row.stem), []
     theorems = grouped(stored(root, PROVED), lambda row: row.theorem.partition(".")[0])
-    mutants = grouped(stored(root, JUDGED), lambda row: row.file)
+    mutants, users = grouped(stored(root, JUDGED), lambda row: row.file), users_of_lemmas(root)
     for verdict in verdicts:
         rows = status.get(verdict.stem, [])
         if not rows or any(row.status == "not proved" and not row.note for row in rows):
             raise ResultError(f"{root / STATUS}: {verdict.stem} is not proved, and no sentence says why")
-        programs, through = users(root, verdict.stem)
+        programs, through = users[verdict.stem] if verdict.stem in users else (program_of(root, verdict.stem), [])
 
         def those(outcome, column):
             return [getattr(row, column) for row in rows if row.status == outcome]
-        own = programs if not (root / "lemmas" / f"{verdict.stem}.hpp").exists() else [f"lemmas/{verdict.stem}.hpp"]
+        own = [f"lemmas/{verdict.stem}.hpp"] if verdict.stem in users else programs
         judged = [row.verdict for file in own for row in mutants.get(file, [])]
         exhaustive = sorted({row.theorem.partition(".")[2] for row in theorems.get(verdict.stem, [])})
         out.append(Statement(verdict, suite_of(root, verdict.stem), exhaustive, judged.count("killed"), judged.count("killed") + judged.count("alive"),

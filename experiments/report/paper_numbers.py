@@ -3,13 +3,13 @@
 import pathlib
 import re
 
-from formats import broken_name, digits, escaped, long_table, power_of_ten, table, whole_number
-from report import collisions, deformations, engines, growth, original, over_time, statements
-from report.statistics import mean, span
-from report.tables import ALL, ResultError, stored
-from report.verdicts import of_stem, refutations, said_of_claims, summed_up
+from . import collisions, deformations, engines, growth, original, over_time, statements
+from .formats import broken_name, digits, escaped, long_table, power_of_ten, table, whole_number
+from .statistics import mean, span
+from .tables import ALL, ResultError, stored
+from .verdicts import of_stem, refutations, said_of_claims, summed_up
 
-REAL_MODELS = re.findall(r'"([^"]+\.\w+)"', (pathlib.Path(__file__).resolve().parents[1] / "experiments/scenes/real_models.hpp").read_text())
+REAL_MODELS = re.findall(r'"([^"]+\.\w+)"', (pathlib.Path(__file__).resolve().parents[1] / "scenes/real_models.hpp").read_text())
 MODELS = ["man", "creature", *REAL_MODELS]
 SCENES = ["far", "near", "light", "heavy", "worst"]
 CLOSE_SCENES = ["near", "light", "heavy"]  # of those that grow; far is a matter of the broad phase

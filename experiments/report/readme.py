@@ -2,12 +2,11 @@
 """The README's measured blocks: <!-- measured: NAME --> ... <!-- /measured -->, each with the commit it was measured at."""
 import re
 
-import content
-from formats import digits
-from report import deformations, engines, over_time
-from report.blocks import block, replaced
-from report.statistics import span
-from report.tables import ResultError
+from . import deformations, engines, over_time, paper_numbers
+from .blocks import block, replaced
+from .formats import digits
+from .statistics import span
+from .tables import ResultError
 
 NAME = re.compile(r"<!-- measured: (\w+) -->\n")
 COMMIT = re.compile(r"commit\s[0-9a-f]{7,40}\b")
@@ -31,18 +30,18 @@ def command_of(results, name):
 
 def variants_block(results):
     commit = commit_of(results, "tightness", "speed", "collision", "batch_speed")
-    worst = {v: digits(content.worst_ratio(results, v)) for v in ("spherical_repaired", "control_mixed", "control_many_pieces")}
-    twist = digits(content.worst_ratio(results, "control_mixed", "twist"))
-    missed = content.total(results, "tightness", quantity="misses", variant=content.is_sound(results))
-    gains = content.batch_gains(results)
-    upper, slower = max(content.upper_cost_ratios(results, "control_mixed")), span(content.query_ratios(results))
+    worst = {v: digits(paper_numbers.worst_ratio(results, v)) for v in ("spherical_repaired", "control_mixed", "control_many_pieces")}
+    twist = digits(paper_numbers.worst_ratio(results, "control_mixed", "twist"))
+    missed = paper_numbers.total(results, "tightness", quantity="misses", variant=paper_numbers.is_sound(results))
+    gains = paper_numbers.batch_gains(results)
+    upper, slower = max(paper_numbers.upper_cost_ratios(results, "control_mixed")), span(paper_numbers.query_ratios(results))
     return f"""\
 Measured on six characters with `{command_of(results, "tightness")}` (commit {commit}); {'no ball of a sound variant misses' if missed == 0 else f'{missed:,.0f} balls of sound variants miss'} a vertex. The tightness of a level is the
 average radius over that of the smallest balls of the deformed vertices. On the worst level of the worst clip it is {worst['spherical_repaired']} for `spherical_repaired`,
 {worst['control_mixed']} for `control_mixed` and {worst['control_many_pieces']} for `control_many_pieces`. Where a joint is twisted by 170 degrees or more, it is at most {twist} on
-any level for `control_mixed`. The cost of a sphere, relative to `spherical_repaired` in the same run, is {from_to(content.cost_ratios(results, 'control_mixed'))} for `control_mixed`
-and {from_to(content.cost_ratios(results, 'control_many_pieces'))} for `control_many_pieces`. Where two walking men are near each other, their queries with `spherical_repaired` refit
-{from_to(content.fewer_spheres(results))} times as many spheres as with `control_mixed`. But those of `control_mixed` are mostly on the upper levels of the tree, where a sphere costs up to {digits(upper, 2)} times as much. A whole query, far ones too, takes
+any level for `control_mixed`. The cost of a sphere, relative to `spherical_repaired` in the same run, is {from_to(paper_numbers.cost_ratios(results, 'control_mixed'))} for `control_mixed`
+and {from_to(paper_numbers.cost_ratios(results, 'control_many_pieces'))} for `control_many_pieces`. Where two walking men are near each other, their queries with `spherical_repaired` refit
+{from_to(paper_numbers.fewer_spheres(results))} times as many spheres as with `control_mixed`. But those of `control_mixed` are mostly on the upper levels of the tree, where a sphere costs up to {digits(upper, 2)} times as much. A whole query, far ones too, takes
 {digits(slower.least, 2)} to {digits(slower.most, 2)} times as long as with `spherical_repaired`. In batches of SIMD packs (`algorithms/runtime/batch`), refitting all spheres of a tree by Algorithm 1 repaired costs
 with AVX-512 1/{min(gains):.0f} to 1/{max(gains):.0f} of refitting them one by one, in float in place of double.
 """
@@ -51,19 +50,19 @@ with AVX-512 1/{min(gains):.0f} to 1/{max(gains):.0f} of refitting them one by o
 def queries_block(results):
     commit = commit_of(results, "collision", "triangle_growth")
     scenes = ["far", "near", "light", "heavy"]
-    most = content.largest_growth(results)
+    most = paper_numbers.largest_growth(results)
     cpu = results.provenance["collision"]["cpu"]
     rows = []
     for name, detector in [("`collide(ClusterBody, …)` with a `PairMemory`", "clusters"), ("the same without it", "clusters_without_memory"), ("skin everything in float, boxes bottom-up", "skin_all_float"),
                            ("the same with clusters of 512 triangles in place of 256", "skin_all_float_512"),
                            ("the fastest of Embree, FCL and Bullet, of those that find all pairs", None), ("sphere tree on demand, Algorithm 1 repaired", "spherical_repaired"),
                            ("*floor: told which clusters’ boxes meet*", "floor_of_boxes"), ("*floor: told which clusters touch*", "floor_of_contacts")]:
-        times = [content.time_of(results, s, detector) if detector else content.fastest_engine(results, s) for s in scenes]
-        times += [content.grown(results, most, s, detector or "embree") for s in content.GROWN_SCENES]
+        times = [paper_numbers.time_of(results, s, detector) if detector else paper_numbers.fastest_engine(results, s) for s in scenes]
+        times += [paper_numbers.grown(results, most, s, detector or "embree") for s in paper_numbers.GROWN_SCENES]
         rows.append(f"| {name} | " + " | ".join(digits(t, 3 if t >= 100 else 2).replace("{,}", ",") for t in times) + " |")
-    heads = [s if s in ("far", "near") else f"{s}, {content.pairs_of(results, s):.0f} pairs" for s in scenes]
-    heads += [f"{s}, {most:,} triangles each" for s in content.GROWN_SCENES]
-    ceilings = {scene: digits(content.gain_without(results, scene, "skin_all_float"), 3) for scene in ("light", "heavy")}
+    heads = [s if s in ("far", "near") else f"{s}, {paper_numbers.pairs_of(results, s):.0f} pairs" for s in scenes]
+    heads += [f"{s}, {most:,} triangles each" for s in paper_numbers.GROWN_SCENES]
+    ceilings = {scene: digits(paper_numbers.gain_without(results, scene, "skin_all_float"), 3) for scene in ("light", "heavy")}
     return f"""\
 The table gives the microseconds a frame, from pose to pairs, to find all touching pairs of two walking men of 8270 triangles each
 (`{command_of(results, "collision")}`; commit {commit}, {cpu}, one thread, huge pages). Every set of pairs is checked: against brute force, and in the largest models against that of the third row. All rows but that of the sphere tree compare triangles in
@@ -76,14 +75,14 @@ packs of floats first. The rows of engines and of the sphere tree skin in double
 The last two rows are no detectors: they are told beforehand where to look, and skin and compare that alone. In contact most of the time goes into comparing
 triangles, which all of these must do. If the third row needed no time at
 all for skinning and bounds, it would be {ceilings['light']} times as fast in *light*, and {ceilings['heavy']} times in *heavy*. In *far* any method is as fast behind a box
-around the whole character, such as our motion bound: the third row then takes {digits(content.time_of(results, 'far', 'skin_all_float_bounded'), 2)} microseconds.
+around the whole character, such as our motion bound: the third row then takes {digits(paper_numbers.time_of(results, 'far', 'skin_all_float_bounded'), 2)} microseconds.
 """
 
 
 def over_time_block(results):
     commit = commit_of(results, "over_time", "over_time_growth")
     clips = len(results.select("over_time", skinning="linear", quantity="duration"))
-    rows = [f"| {' | '.join(cells)} |" for cells in content.out_of_bounds(results, "{:.0f}".format, " %")]
+    rows = [f"| {' | '.join(cells)} |" for cells in paper_numbers.out_of_bounds(results, "{:.0f}".format, " %")]
     misses = sum(over_time.total(results, q) for q in ("character_misses", "cluster_misses", "exact_misses"))
     undecided = over_time.total(results, "exact_undecided")
     unknown = f", and of {undecided} that were placed with many digits these are too few to tell" if undecided else ""
@@ -109,7 +108,7 @@ def engines_block(results):
     commit = commit_of(results, "engines")
     volume, cost, goals = engines.volume_goal(results), engines.costs(results, engines.OURS), engines.GOALS
     rows = ["| " + " | ".join([does, who, *cells]).replace("{,}", ",") + " |"
-            for does, who, cells in content.engine_rows(results, "{:.0f}".format, lambda cost: 3 if cost < 100 else 2)]
+            for does, who, cells in paper_numbers.engine_rows(results, "{:.0f}".format, lambda cost: 3 if cost < 100 else 2)]
     reference = engines.row_of(results, "joint_boxes", "linear")
     twisted = {s: engines.row_of(results, engines.OURS, s)["twists"] for s in over_time.SKINNINGS}
     undecided = round(sum(row.value for row in results.find("engines", quantity="undecided")))

@@ -6,7 +6,7 @@ What the tests decide with the library is worked out here once more, from the st
 import json
 from fractions import Fraction
 
-from report.tables import ResultError
+from .tables import ResultError
 
 
 class Cases:
