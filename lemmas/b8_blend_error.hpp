@@ -62,10 +62,10 @@ struct ChangeOfWeights {
 
 // Returns the bound of spherical blends.
 template <class S>
-S move_of_error(const ChangeOfWeights<S>& error) {
+S spherical_move_of_error(const ChangeOfWeights<S>& error) {
   const S half = error.turned / S(2);
   return error.weights * (error.image + error.turned) +
-         move_of_error<S>(BlendError<S>{error.weights, error.weights * half, half, error.inverse_length});
+         move_of_error<S>({error.weights, error.weights * half, half, error.inverse_length});
 }
 
 // --- Hypotheses ---
@@ -180,7 +180,7 @@ template <class S>
 Verdict are_spherical_images(const PointOfJoints<S>& of, std::span<const S> w, std::span<const S> other,
                              const ChangeOfWeights<S>& error, const ImagesOfBlends<S>& witness) {
   return is_spherical_image(of, w, witness.image) & is_spherical_image(of, other, witness.other) &
-         less_equal(squared_distance<S, 3>(witness.image, witness.other), sq(move_of_error(error)));
+         less_equal(squared_distance<S, 3>(witness.image, witness.other), sq(spherical_move_of_error(error)));
 }
 
 template <class S>

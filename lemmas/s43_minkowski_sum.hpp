@@ -89,4 +89,5 @@ MinkowskiSum<S> sum_in_turned_ball(const Quaternion<S>& blend, const Ball3<S>& b
 
 // Sources: the paper.
 // Used by: b4_cap_fallback, b5_rotation_axis, b8_blend_error, s43_rotated_cap, s44_joint_sets;
-// experiments/drawings/control_hulls.cpp, experiments/drawings/sections.cpp.
+// experiments/drawings/control_hulls.cpp, experiments/drawings/sections.cpp,
+// experiments/explorer/pages/whole_sphere.hpp.

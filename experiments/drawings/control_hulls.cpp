@@ -94,7 +94,8 @@ void b7(Plane &p) {
   const Point3D point(1.2, 0.3, 0);
   const auto joints = two_joints();
   const auto images = images_of(joints, point);
-  const double length = 0.75 * std::sqrt((1 - dot(joints[0].rotation, joints[1].rotation)) * squared_spread(images));
+  const double cosine = dot(joints[0].rotation, joints[1].rotation);
+  const double length = std::sqrt(squared_deviation_share(cosine) * squared_spread(images));
   for (const auto &c : images) p.circle("ball", flat(c), length), p.dot("dot", flat(c), "C f");
   p.path("line", {flat(images[0]), flat(images[1])});
   p.path("curve", curve_of(dual_blend(joints, point)));

@@ -174,7 +174,7 @@ void spherical_images_are_near_each_other(Suite& t) {
             RC_ASSERT(found.image == spherical_image(c, c.w) && found.other == spherical_image(c, c.other));
             const Rational kappa = c.error.inverse_length;
             const Rational bound = c.error.weights * (c.error.image + c.error.turned * (1 + kappa + kappa * kappa));
-            RC_ASSERT(move_of_error(c.error) == bound);
+            RC_ASSERT(spherical_move_of_error(c.error) == bound);
           });
   t.holds("each part of a spherical witness is checked by itself", {.number_type = "rational", .cases = 300}, [] {
     SphericalCase c;

@@ -408,7 +408,7 @@ ErrorGrowth MovingVertices::error_growth(const Set& set, const JointCell& cell) 
   const auto moved = [&](double size) {
     if (!is_about_center) return size * growth;
     const double turned = size * std::sqrt(static_cast<double>(kept)) + off_center;
-    return move_of_error(ChangeOfWeights<double>{1, size, turned, kappa});
+    return spherical_move_of_error(ChangeOfWeights<double>{1, size, turned, kappa});
   };
   ErrorGrowth out;
   // Without a blend of quaternions, or if they are all the same, an image is off by its own error.

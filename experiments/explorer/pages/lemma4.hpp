@@ -36,7 +36,7 @@ void lemma4_scene(const Values& k, Scene<S>& scene) {
   units.push_back({second[0], S(0), second[1]});
   const std::span<const Vec<S, 3>> points(units);
   SquaredBall<S, 3> ball{mean_center(points), S(0)};
-  for (const auto& n : units) ball.squared_radius = max_of(ball.squared_radius, squared_distance(n, ball.center));
+  ball.squared_radius = farthest_squared_distance(ball.center, points);
   std::vector<S> weights(units.size(), S(0));
   const int sum = std::max({10, k[3] + k[4]});
   weights[0] = S(sum - k[3] - k[4]) / S(sum);

@@ -7,6 +7,7 @@
 #include "experiments/explorer/pages/page.hpp"
 #include "lemmas/lemma3_sphere_surface_intersection.hpp"
 #include "lemmas/lemma5_cap_enclosing_sphere.hpp"
+#include "lemmas/s43_minkowski_sum.hpp"
 #include "lemmas/s43_whole_sphere_fallback.hpp"
 
 namespace refitlab::explorer {
@@ -35,8 +36,7 @@ void whole_sphere_scene(const Values& k, Scene<S>& scene) {
   units.push_back({turn[0], S(0), turn[1], S(0)});
   const std::span<const Quaternion<S>> list(units);
   const Quaternion<S> center = mean_center(list);
-  S squared_radius(0);
-  for (const auto& n : units) squared_radius = max_of(squared_radius, squared_distance(n, center));
+  const S squared_radius = farthest_squared_distance(center, list);
   const S share = S(k[2]) / S(10);
   const Quaternion<S> blend = units[0] * S(S(1) - share) + units.back() * share;
   const auto slice = [](const Quaternion<S>& q) { return Vec<S, 3>(q[1], q[2], q[0]); };
@@ -60,7 +60,7 @@ void whole_sphere_scene(const Values& k, Scene<S>& scene) {
   scene.move_right(1.5);
   const Vec<S, 3> v = vec3<S>(2, 1, 2) / S(3);
   const auto bound = rotated_vectors_cap_repaired(center, squared_radius);
-  const Vec<S, 3> apex = rotate_scaled(bound.apex, v) / squared_norm(bound.apex);
+  const Vec<S, 3> apex = rotate_by<S>(bound.apex, v);
   const Cap<S, 3> cap{vec3<S>(0, 0, 0), apex, bound.cos_angle};
   scene.ball("surface", surface);
   scene.cap("cap", cap);
@@ -69,13 +69,13 @@ void whole_sphere_scene(const Values& k, Scene<S>& scene) {
   SquaredBall<S, 3> printed{vec3<S>(0, 0, 0), S(-1)};
   if (printed_ball == Verdict::holds) {
     const S cosine = sq(scaled_distance(center, squared_radius)) / (S(2) * squared_norm(center)) - S(1);
-    printed = cap_ball_printed(Cap<S, 3>{vec3<S>(0, 0, 0), rotate_scaled(center, v) / squared_norm(center), cosine});
+    printed = cap_ball_printed(Cap<S, 3>{vec3<S>(0, 0, 0), rotate_by<S>(center, v), cosine});
     scene.ball("printed", printed);
   }
   const bool is_rotation = less(S(0), squared_norm(blend)) == Verdict::holds;
   scene.point("center", "v", v);
   if (is_rotation) {
-    const Vec<S, 3> rotated = rotate_scaled(blend, v) / squared_norm(blend);
+    const Vec<S, 3> rotated = rotate_by<S>(blend, v);
     const Verdict in_printed = encloses(printed, rotated);
     scene.point(in_printed == Verdict::holds ? "inside" : "outside", "R_b v", rotated);
     scene.verdict("printed", "its ball encloses R_b v", in_printed);
