@@ -83,6 +83,14 @@ S common_width(const Box<S>& a, const Box<S>& b) {
   return width;
 }
 
+// Returns the length by which a box extends beyond another one, at most in any coordinate. It is less than 0 if it does not.
+template <class S>
+S beyond_box(const Box<S>& box, const Box<S>& other) {
+  S most = other.low[0] - box.low[0];
+  for (int i = 0; i < 3; ++i) most = max_of<S>(most, max_of<S>(other.low[i] - box.low[i], box.high[i] - other.high[i]));
+  return most;
+}
+
 // Chooses between two boxes lane by lane.
 template <class Mask, class S>
 Box<S> choose(const Mask& first, const Box<S>& a, const Box<S>& b) {
