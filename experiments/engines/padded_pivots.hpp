@@ -9,19 +9,9 @@
 // the vertex at rest, and not when it has turned.
 #pragma once
 
-#include <span>
-
 #include "algorithms/runtime/balls/box.hpp"
 
 namespace refitlab {
-
-// Returns the box around at least one point.
-template <class S>
-Box<S> box_around(std::span<const Vec<S, 3>> points) {
-  Box<S> box{points[0], points[0]};
-  for (const Vec<S, 3>& p : points) box.merge(p);
-  return box;
-}
 
 // Returns the length. pivots is the box of the pivots at rest, and mesh is that of the mesh at rest.
 template <class S>

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/over_time/sampled_boxes.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace refitlab {
 
 const std::vector<SamplingWay>& sampling_ways() {
@@ -16,7 +13,7 @@ std::vector<double> sampled_times(const SamplingWay& way, const std::vector<doub
 }
 
 Box<float> with_room(Box<double> box) {
-  box.grow(ModelBoundsOptions{}.renderer_rounding * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff());
+  box.grow(ModelBoundsOptions{}.renderer_rounding * box.greatest_coordinate());
   return rounded_outward(box);
 }
 

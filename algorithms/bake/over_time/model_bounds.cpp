@@ -104,8 +104,7 @@ std::vector<Point3> directions_of_dop(int dop) {
 BoundedPart outward(const BoundOverTime& bound, int joints, double renderer_rounding, const std::string& file,
                     const std::string& thing) {
   Box<double> box = box_of(bound.slabs);
-  double farthest = 0;
-  for (int i = 0; i < 3; ++i) farthest = std::max({farthest, std::abs(box.low[i]), std::abs(box.high[i])});
+  const double farthest = box.greatest_coordinate();
   const double more = renderer_rounding * bound.errors.per_rounding +
                       std::ldexp(joints > 1 ? joints : 0, -weight_bits) * bound.errors.per_weight +
                       bound.errors.of_lost_influences;

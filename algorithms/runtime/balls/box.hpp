@@ -6,6 +6,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <type_traits>
 
 #include "algorithms/runtime/packs/row.hpp"
@@ -44,6 +45,12 @@ struct Box {
   Point edges() const { return high - low; }
   // Returns the sum of the three edges.
   S extent() const { return (high[0] - low[0]) + (high[1] - low[1]) + (high[2] - low[2]); }
+  // Returns the greatest absolute coordinate of its points.
+  S greatest_coordinate() const {
+    S greatest(0);
+    for (int i = 0; i < 3; ++i) greatest = max_of<S>(greatest, max_of<S>(absolute<S>(low[i]), absolute<S>(high[i])));
+    return greatest;
+  }
 
  private:
   static constexpr bool is_row = !std::is_same_v<Point, Vec<S, 3>>;
@@ -66,6 +73,15 @@ struct Box {
 // A RowBox has four numbers a corner, which take one operation together.
 template <class S>
 using RowBox = Box<S, Row<S, 4>>;
+
+// Returns the box around points. Around none it is empty.
+template <class S>
+Box<S> box_around(std::span<const Vec<S, 3>> points) {
+  if (points.empty()) return Box<S>::empty();
+  Box<S> box{points[0], points[0]};
+  for (const Vec<S, 3>& p : points) box.merge(p);
+  return box;
+}
 
 // Returns whether a coordinate separates the boxes, as a bool or a mask of lanes. A NaN separates nothing.
 template <class S>
