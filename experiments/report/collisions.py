@@ -56,7 +56,7 @@ class Model:
         return BarPanels(f"{self.model}, {query}: us a frame", self.heads(), rows).svg()
 
     def times(self, query):
-        """Returns a row for each detector: name, origin, and by scene us, times the fastest engine's, times that of the fastest rival in float."""
+        """Returns a row for each detector: name, origin, and by scene us, times the fastest engine's, times that of the fastest baseline skinned in float."""
         return [(d, ORIGINS[self.origin(query, d)],
                  [{q: self.value(scene, query, d, quantity=q) for q in ("us_per_frame", "ratio_to_engine", "ratio_to_skin_all")}
                   for scene in self.scenes]) for d in self.detectors if self.origin(query, d)]
