@@ -208,8 +208,8 @@ void write_collisions(const std::vector<CollisionResult>& results, const std::st
     for (std::size_t s = 0; s < std::size(stage_names); ++s)
       add("all", (stage_names[s] + std::string("_us")).c_str(), r.stages_us[s], "us");
     for (const auto& [quantity, ratio] :
-         {std::pair("ratio_to_engine", r.ratio_to_engine), std::pair("ratio_to_skin_all", r.ratio_to_skin_all),
-          std::pair("ratio_to_repaired", r.ratio_to_repaired)})
+         {std::pair("time_ratio_to_engine", r.ratio_to_engine), std::pair("time_ratio_to_skin_all", r.ratio_to_skin_all),
+          std::pair("time_ratio_to_repaired", r.ratio_to_repaired)})
       if (ratio > 0) add("all", quantity, ratio, "1");
     for (std::size_t l = 0; l < r.share_refitted.size(); ++l)
       add(std::to_string(l + 1), "share_of_nodes_refitted", r.share_refitted[l], "1");

@@ -175,15 +175,15 @@ void write_engines(const std::vector<EngineResult>& results, const std::string& 
           add(p.name, p.kind, m.method, quantity, value, "1", table_name_of(p.skinning));
         };
         of_poses("poses", static_cast<double>(m.poses));
-        of_poses("misses", static_cast<double>(m.misses));
+        of_poses("missed_poses", static_cast<double>(m.misses));
         of_poses("undecided", static_cast<double>(m.undecided));
         of_poses("unbounded", static_cast<double>(m.unbounded));
         if (m.unbounded == m.poses) continue;
         of_poses("miss_distance_over_box_side", m.missed_by);
         if (m.with_ratios() == 0) continue;
-        of_poses("volume_ratio", m.volume);
-        of_poses("area_ratio", m.area);
-        of_poses("radius_ratio", m.radius);
+        of_poses("volume_ratio_to_true_box", m.volume);
+        of_poses("area_ratio_to_true_box", m.area);
+        of_poses("radius_ratio_to_true_box", m.radius);
         of_poses("volume_ratio_to_joint_boxes", m.to_reference);
       }
     for (const EngineCost& c : r.costs) {
