@@ -136,7 +136,7 @@ void write_results_by_model(const Options& options, const ModelResults& results,
   }
   if (options.wants("volumes")) write_volumes(results.volumes, result("volumes.csv"));
   if (options.wants("rounding")) write_rounding(results.rounding, options.rounding, result("rounding.csv"));
-  if (options.wants("collisions")) write_collisions(results.collisions, result("collision.csv"));
+  if (options.wants("collisions")) write_collisions(results.collisions, result("collisions.csv"));
   if (options.wants("over_time")) {
     write_over_time(results.over_time, options.over_time, result("over_time.csv"));
     write_crossfades(results.crossfades, result("crossfades.csv"));

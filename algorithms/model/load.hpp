@@ -14,8 +14,8 @@ namespace refitlab {
 // All meshes become one skin, in the pose that the first skinned mesh rests in (see mesh_binding.hpp), with the
 // constant scale of the skin matrices multiplied in (and, where all of them mirror, mirrored in x). Polygons are
 // triangulated; vertices of equal position, equal weights and equal displacements become one, whatever their normals,
-// texture coordinates and colours, so that seams do not split the skin. Points and lines, triangles with two corners in one
-// vertex, and vertices without a triangle are dropped. The triangles stay in the order of the file: node by node, depth first;
+// texture coordinates and colours, so that seams do not split the skin. Points and lines, triangles with two equal
+// vertices, and vertices without a triangle are dropped. The triangles stay in the order of the file: node by node, depth first;
 // Model::sources says where each comes from.
 //
 // All influences are kept, as quantize_weights rounds them. Joints are the nodes of all bones, weighted or not, and of

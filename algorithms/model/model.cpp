@@ -57,18 +57,23 @@ SkinnedMesh skinned_mesh(Model model) {
   return SkinnedMesh(std::move(model));
 }
 
+const WeightTrack* weight_track_of(const MorphedMesh& mesh, const Animation& animation) {
+  const auto& tracks = animation.weight_tracks;
+  const auto found = std::find_if(tracks.begin(), tracks.end(), [&](const WeightTrack& t) { return t.node == mesh.node; });
+  return found == tracks.end() ? nullptr : &*found;
+}
+
+Eigen::VectorXd weights_at(const MorphedMesh& mesh, const WeightTrack* track, double time, Side side) {
+  if (track) return weights_at(*track, time, side);
+  return Eigen::Map<const Eigen::VectorXd>(mesh.weights.data(), static_cast<Eigen::Index>(mesh.weights.size()));
+}
+
 std::vector<double> morph_weights(const Model& model, const Animation& animation, double time, Side side) {
   const DefaultFloatEnvironment environment;
   std::vector<double> out;
   for (const MorphedMesh& mesh : model.morphs) {
-    const auto& tracks = animation.weight_tracks;
-    const auto track = std::find_if(tracks.begin(), tracks.end(), [&](const WeightTrack& t) { return t.node == mesh.node; });
-    if (track == tracks.end()) {
-      out.insert(out.end(), mesh.weights.begin(), mesh.weights.end());
-    } else {
-      const Eigen::VectorXd weights = weights_at(*track, time, side);
-      out.insert(out.end(), weights.begin(), weights.end());
-    }
+    const Eigen::VectorXd weights = weights_at(mesh, weight_track_of(mesh, animation), time, side);
+    out.insert(out.end(), weights.begin(), weights.end());
   }
   return out;
 }

@@ -88,6 +88,12 @@ MorphTargets morph_targets(const Model& model);
 // Returns the model's mesh, with these targets.
 SkinnedMesh skinned_mesh(Model model);
 
+// Returns the track of a mesh's weights, or nullptr if they stay. The animation is to outlive it.
+const WeightTrack* weight_track_of(const MorphedMesh& mesh, const Animation& animation);
+
+// Returns the weights of a mesh by target, at a time of its track, or where they stay if that is nullptr.
+Eigen::VectorXd weights_at(const MorphedMesh& mesh, const WeightTrack* track, double time, Side side = Side::after);
+
 // Returns the weights of these targets, in their order, at a time of an animation of the model.
 std::vector<double> morph_weights(const Model& model, const Animation& animation, double time, Side side = Side::after);
 

@@ -32,17 +32,17 @@ class Skin {
     const bool mirrored = bound.placement.determinant() < 0;
     farthest_sum_ = 0, off_sums_ = 0;
     int left_out = 0;
-    std::vector<Known*> corner_of(primitive.positions.size());
-    for (const Triangle& corners : primitive.triangles) {
-      for (const int corner : corners)
-        if (!corner_of[corner]) corner_of[corner] = &known(bound, primitive, corner, morphed);
-      const Known *a = corner_of[corners[0]], *b = corner_of[corners[1]], *c = corner_of[corners[2]];
+    std::vector<Known*> known_of(primitive.positions.size());
+    for (const Triangle& triangle : primitive.triangles) {
+      for (const int v : triangle)
+        if (!known_of[v]) known_of[v] = &known(bound, primitive, v, morphed);
+      const Known *a = known_of[triangle[0]], *b = known_of[triangle[1]], *c = known_of[triangle[2]];
       const bool kept = a != b && b != c && c != a;
       source.triangles.push_back(kept ? static_cast<int>(model_.triangles.size()) : -1);
       left_out += !kept;
       if (!kept) continue;
       Triangle t;
-      for (int k = 0; k < 3; ++k) t[k] = source.vertices[corners[k]] = vertex(*corner_of[corners[k]]);
+      for (int k = 0; k < 3; ++k) t[k] = source.vertices[triangle[k]] = vertex(*known_of[triangle[k]]);
       if (mirrored) std::swap(t[1], t[2]);
       model_.triangles.push_back(t);
     }
@@ -53,7 +53,7 @@ class Skin {
     if (left_out > 0)
       model_.notes.push_back(primitive.label + ": " + std::to_string(left_out) + " of " +
                              std::to_string(primitive.triangles.size()) +
-                             " triangles have two equal corners; they are left out, and so are vertices of no other triangle");
+                             " triangles have two equal vertices; they are left out, and so are vertices of no other triangle");
     if (!bound.placement.isIdentity(0)) place(bound.placement, source.vertices);
     model_.sources.push_back(std::move(source));
   }
@@ -134,7 +134,7 @@ class Skin {
     const Point3 rest = (bound.placement * position_of(use, primitive, index).homogeneous()).head<3>();
     const std::vector<double> moved = morphed < 0 ? std::vector<double>{} : displacements_of(bound, primitive, index);
     // The weights are the file's own: vertices that only the rounding of weights makes equal stay apart, and a triangle of them
-    // has three corners.
+    // has three vertices.
     return *known_.try_emplace({{rest[0], rest[1], rest[2]}, weights, moved.empty() ? -1 : morphed, moved}, -1).first;
   }
 

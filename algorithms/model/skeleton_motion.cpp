@@ -184,4 +184,12 @@ std::vector<double> key_times(const Animation& motion, std::size_t limit) {
   return thinned;
 }
 
+std::vector<double> times_at_rate(double rate, double end) {
+  const DefaultFloatEnvironment environment;
+  std::vector<double> times;
+  for (int i = 0; i / rate < end; ++i) times.push_back(i / rate);
+  times.push_back(end);
+  return times;
+}
+
 }  // namespace refitlab

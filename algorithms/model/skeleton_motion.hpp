@@ -146,4 +146,7 @@ PosedSkeleton rigid_pose(const BoundSkeleton& skeleton, const std::vector<Eigen:
 // Returns 0, the duration and the times of keys between, in order, evenly thinned to at most `limit`.
 std::vector<double> key_times(const Animation& animation, std::size_t limit);
 
+// Returns the times from 0 on, so many a second, that are before the end, and the end, in seconds.
+std::vector<double> times_at_rate(double rate, double end);
+
 }  // namespace refitlab

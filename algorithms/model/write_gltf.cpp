@@ -115,7 +115,7 @@ class GltfWriter {
     }
     std::vector<std::uint32_t> indices;
     for (const Triangle& triangle : model_.triangles)
-      for (const int corner : triangle) indices.push_back(static_cast<std::uint32_t>(corner));
+      for (const int v : triangle) indices.push_back(static_cast<std::uint32_t>(v));
     const std::size_t position = add_accessor(positions, "VEC3", float_component);
     out_["accessors"][position]["min"] = low;
     out_["accessors"][position]["max"] = high;

@@ -101,7 +101,7 @@ int run_collide(const std::vector<std::string>& arguments, std::ostream& out, st
     out << "usage: refitlab collide [OPTION...] A B\n\nSays which triangles of two characters touch, exactly. With --pairs a "
            "line a pair: the\n"
            "triangle of A and that of B. They count from 0 through all of a file's triangles, without those of which two "
-           "corners\n"
+           "vertices\n"
            "are equal.\n\n"
         << collide_options();
     return exit_done;

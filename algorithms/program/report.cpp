@@ -30,15 +30,6 @@ std::vector<const ModelPart*> clusters_in(const ModelBounds& bounds, std::vector
   return out;
 }
 
-std::vector<double> sampled_times(const AnimatedJoints& joints, Sampling sampling) {
-  if (sampling == Sampling::keys) return joints.times();
-  const double duration = joints.times().back();
-  std::vector<double> times;
-  for (int i = 0; i / sampled_rate < duration; ++i) times.push_back(i / sampled_rate);
-  times.push_back(duration);
-  return times;
-}
-
 // Returns the sampled times, and some more between any two of them.
 std::vector<double> more_times(const std::vector<double>& times, int between = moments_between) {
   std::vector<double> out;
@@ -52,11 +43,6 @@ void merge_at(const AnimatedJoints& joints, const MovingVertices& vertices, doub
   std::vector<Point3> points;
   vertices.place(*joints.at(time, Side::after), Followed::skinned, points);
   for (const Point3& p : points) box.merge(p);
-}
-
-// Returns how far a box reaches out of another one.
-double beyond(const Box<double>& box, const Box<double>& from) {
-  return std::max((from.low - box.low).maxCoeff(), (box.high - from.high).maxCoeff());
 }
 
 std::string base64(const std::string& bytes) {
@@ -125,7 +111,9 @@ SampledMisses misses_of_sampling(const Model& model, const ModelBounds& bounds, 
   const DefaultFloatEnvironment environment;
   const JointSets sets(model);
   const AnimatedJoints joints(model, model.clips[clip].animation, bounds.skinning != Skinning::linear);
-  const std::vector<double> sampled = sampled_times(joints, sampling), all = more_times(sampled);
+  const std::vector<double> sampled =
+                                sampling == Sampling::keys ? joints.times() : times_at_rate(sampled_rate, joints.times().back()),
+                            all = more_times(sampled);
   std::vector<std::size_t> positions;
   const auto clusters = clusters_in(bounds, positions);
   SampledMisses out;
@@ -139,7 +127,7 @@ SampledMisses misses_of_sampling(const Model& model, const ModelBounds& bounds, 
     for (const double time : all) {
       Box<double> box = Box<double>::empty();
       merge_at(joints, vertices, time, box);
-      if (const double by = beyond(box, known); by > most) most = by, when = time;
+      if (const double by = beyond_box(box, known); by > most) most = by, when = time;
     }
     const double share = most / known.edges().maxCoeff();
     const std::lock_guard lock(guard);

@@ -15,8 +15,8 @@ DetectorKind bounded_kind(const DetectorKind& kind);
 // Returns the engines that were not found.
 std::vector<std::string> absent_engines();
 
-// These rivals skin everything in float. Which of them is faster depends on the scene and on the size of the meshes.
-inline constexpr const char* float_rivals[] = {"skin_all_float", "skin_all_float_512"};
+// These baselines skin everything in float. Which of them is faster depends on the scene and on the size of the meshes.
+inline constexpr const char* float_baselines[] = {"skin_all_float", "skin_all_float_512"};
 
 using Maker = std::unique_ptr<Detector>(const Character& character);
 Maker make_brown, make_aabb_tree, make_skin_all_float, make_skin_all_float_512, make_cgal_aabb, make_spatial_hash;

@@ -118,7 +118,7 @@ void print(const std::vector<CollisionResult>& results) {
   for (const CollisionResult& r : results)
     std::printf(
         "  %-32s %7.1f pairs %9.1f us (palette %6.1f skinning %6.1f refit %8.1f query %8.1f) %7.3f of the fastest engine "
-        "%7.3f of the fastest rival in float "
+        "%7.3f of the fastest baseline skinned in float "
         "%10.1f volume tests %8.1f nodes refitted %8.1f triangle tests\n",
         r.detector.c_str(), r.pairs, r.us_per_frame, r.stages_us[0], r.stages_us[1], r.stages_us[2], r.stages_us[3],
         r.ratio_to_engine, r.ratio_to_skin_all, r.volume_tests, r.nodes_refitted, r.triangle_tests);
@@ -142,14 +142,14 @@ std::vector<CollisionResult> measure(const AnimatedCharacter& c, const Scenario&
                      }});
   }
   const auto times = ns_per_item(timed, speed);
-  std::string engine, rival;  // the fastest of those that found all pairs
+  std::string engine, baseline;  // the fastest of those that found all pairs
   const auto keep_faster = [&](const std::string& detector, std::string& fastest) {
     if (fastest.empty() || median(times.at(detector)) < median(times.at(fastest))) fastest = detector;
   };
   for (const CollisionResult& r : results) {
     if (r.origin == Origin::engine && r.differing_pairs == 0) keep_faster(r.detector, engine);
-    if (std::find(std::begin(float_rivals), std::end(float_rivals), r.detector) != std::end(float_rivals))
-      keep_faster(r.detector, rival);
+    if (std::find(std::begin(float_baselines), std::end(float_baselines), r.detector) != std::end(float_baselines))
+      keep_faster(r.detector, baseline);
   }
   for (CollisionResult& r : results) {
     const auto ratio_to = [&](const std::string& base) {
@@ -157,7 +157,7 @@ std::vector<CollisionResult> measure(const AnimatedCharacter& c, const Scenario&
     };
     r.us_per_frame = median(times.at(r.detector)) / 1000;
     r.ratio_to_engine = ratio_to(engine);
-    r.ratio_to_skin_all = ratio_to(rival);
+    r.ratio_to_skin_all = ratio_to(baseline);
     r.ratio_to_repaired = ratio_to("spherical_repaired");
   }
   return results;
@@ -208,8 +208,8 @@ void write_collisions(const std::vector<CollisionResult>& results, const std::st
     for (std::size_t s = 0; s < std::size(stage_names); ++s)
       add("all", (stage_names[s] + std::string("_us")).c_str(), r.stages_us[s], "us");
     for (const auto& [quantity, ratio] :
-         {std::pair("ratio_to_engine", r.ratio_to_engine), std::pair("ratio_to_skin_all", r.ratio_to_skin_all),
-          std::pair("ratio_to_repaired", r.ratio_to_repaired)})
+         {std::pair("time_ratio_to_engine", r.ratio_to_engine), std::pair("time_ratio_to_skin_all", r.ratio_to_skin_all),
+          std::pair("time_ratio_to_repaired", r.ratio_to_repaired)})
       if (ratio > 0) add("all", quantity, ratio, "1");
     for (std::size_t l = 0; l < r.share_refitted.size(); ++l)
       add(std::to_string(l + 1), "share_of_nodes_refitted", r.share_refitted[l], "1");

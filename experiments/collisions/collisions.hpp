@@ -31,7 +31,7 @@ struct CollisionResult {
   std::vector<double> share_refitted;  // by level - 1, of both trees' balls; where the detector refits on demand
   double us_per_frame = 0;             // from poses to pairs
   StageTimes stages_us{};              // the same in stages, of passes by themselves
-  // These are the ratios of the time to those of the fastest engine here, of the faster of the rivals that skin everything
+  // These are the ratios of the time to those of the fastest engine here, of the faster of the baselines that skin everything
   // in float, and of spherical_repaired.
   double ratio_to_engine = 0, ratio_to_skin_all = 0, ratio_to_repaired = 0;
 };

@@ -66,9 +66,9 @@ class Rows {
       const std::string level = std::to_string(l + 1);
       const LevelTightness& t = levels[l];
       if (t.optimal_sum > 0)
-        add(kind, pose, variant, level, "ratio_to_optimal", t.ratio_to_optimal(), "1", skinning, displacements);
+        add(kind, pose, variant, level, "radius_ratio_to_optimal", t.ratio_to_optimal(), "1", skinning, displacements);
       add(kind, pose, variant, level, "nodes", static_cast<double>(t.nodes), "1", skinning, displacements);
-      add(kind, pose, variant, level, "misses", static_cast<double>(t.misses), "1", skinning, displacements);
+      add(kind, pose, variant, level, "missed_balls", static_cast<double>(t.misses), "1", skinning, displacements);
     }
   }
 

@@ -38,8 +38,7 @@ AffinePose scaled(const SkinnedMesh& mesh, const Pose& pose, Scales scales) {
 }
 
 void add_targets(SkinnedMesh& mesh) {
-  auto box = Box<double>::empty();
-  for (const Point3& v : mesh.vertices) box.merge(v);
+  const auto box = box_around<double>(mesh.vertices);
   const double size = box.edges().maxCoeff();
   const Point3 middle = box.center();
   mesh.targets = {target_count, std::vector<std::vector<Displacement<double>>>(mesh.vertices.size())};

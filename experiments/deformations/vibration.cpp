@@ -42,8 +42,7 @@ Point3 jolt(const Point3& x) { return {0.5 * std::sin(3 * x[1]), -1 - 0.5 * std:
 class Simulation {
  public:
   explicit Simulation(const SkinnedMesh& mesh) : springs_(springs_of(mesh)), places_(mesh.vertices.size(), Point3::Zero()) {
-    auto box = Box<double>::empty();
-    for (const Point3& v : mesh.vertices) box.merge(v);
+    const auto box = box_around<double>(mesh.vertices);
     size_ = box.edges().maxCoeff();
     for (const Point3& v : mesh.vertices) speeds_.push_back(jolt((v - box.center()) / size_));
     std::vector<double> springs_at(places_.size(), 0);

@@ -23,9 +23,7 @@ class AllSkinned {
     const DefaultFloatEnvironment environment;
     make_skinning_palette(mesh_, sets_, pose, skinning, palette_);
     packed_.skin_all(palette_, skinning, vertices_, target);
-    auto box = Box<double>::empty();
-    for (const Point3& v : vertices_) box.merge(v);
-    return box;
+    return box_around<double>(vertices_);
   }
   // Returns the vertices of the last pose.
   const std::vector<Point3>& vertices() const { return vertices_; }

@@ -7,11 +7,7 @@
 
 namespace refitlab {
 
-inline Box<double> bind_box(const SkinnedMesh& mesh) {
-  auto box = Box<double>::empty();
-  for (const Point3& v : mesh.vertices) box.merge(v);
-  return box;
-}
+inline Box<double> bind_box(const SkinnedMesh& mesh) { return box_around<double>(mesh.vertices); }
 
 // Scales a box about its center.
 template <class S>

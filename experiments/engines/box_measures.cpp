@@ -12,10 +12,6 @@ double area_of_box(const Box<double>& box) {
   return 2 * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]);
 }
 
-double beyond_box(const Box<double>& truth, const Box<double>& box) {
-  return std::max((box.low - truth.low).maxCoeff(), (truth.high - box.high).maxCoeff());
-}
-
 BoxMeasures::BoxMeasures(const std::vector<std::string>& methods, std::size_t reference) : reference_(reference) {
   for (const std::string& method : methods) sums_.push_back({method});
 }

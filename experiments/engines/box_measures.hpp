@@ -27,9 +27,6 @@ struct BoxMeasure {
 
 double area_of_box(const Box<double>& box);
 
-// Returns the length by which the true box extends beyond another one. It is less than 0 if it does not.
-double beyond_box(const Box<double>& truth, const Box<double>& box);
-
 class BoxMeasures {
  public:
   // reference is the position of a method.

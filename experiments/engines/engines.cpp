@@ -30,8 +30,6 @@ std::vector<std::string> names_of_methods(bool of_clip) {
   return names;
 }
 
-double size_of_place(const Box<double>& box) { return box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff(); }
-
 class EngineExperiment {
  public:
   EngineExperiment(const Model& model, const EngineSettings& settings)
@@ -73,7 +71,7 @@ class EngineExperiment {
       if (unseen) matrices.set(pose), boxes.push_back(box_of<double>(with_room(box_of<double>(unseen->box(matrices)))));
       const Box<double> truth = methods.truth(pose);
       // If places are closer to a wall than doubles can tell, 60 digits decide.
-      measures.add(truth, boxes, error_of_places * size_of_place(truth), [&](std::size_t m) {
+      measures.add(truth, boxes, error_of_places * truth.greatest_coordinate(), [&](std::size_t m) {
         Verdict verdict = Verdict::holds;
         for (int v = 0; v < vertex_count(); ++v) verdict &= exact.is_in({v, time, Side::after}, box_of<float>(boxes[m]));
         return verdict;
@@ -95,7 +93,7 @@ class EngineExperiment {
         const SkinningPalette<double> palette = make_skinning_palette(model_, sets_, pose, skinning);
         ExactSkin exact(model_, sets_, palette, skinning);
         // Of places closer to a wall than doubles can tell, rationals decide.
-        measures.add(truth, boxes, error_of_places * size_of_place(truth), [&](std::size_t m) {
+        measures.add(truth, boxes, error_of_places * truth.greatest_coordinate(), [&](std::size_t m) {
           for (int v = 0; v < vertex_count(); ++v)
             if (!exact.is_in(boxes[m], v)) return Verdict::fails;
           return Verdict::holds;
@@ -177,15 +175,15 @@ void write_engines(const std::vector<EngineResult>& results, const std::string& 
           add(p.name, p.kind, m.method, quantity, value, "1", table_name_of(p.skinning));
         };
         of_poses("poses", static_cast<double>(m.poses));
-        of_poses("misses", static_cast<double>(m.misses));
+        of_poses("missed_poses", static_cast<double>(m.misses));
         of_poses("undecided", static_cast<double>(m.undecided));
         of_poses("unbounded", static_cast<double>(m.unbounded));
         if (m.unbounded == m.poses) continue;
         of_poses("miss_distance_over_box_side", m.missed_by);
         if (m.with_ratios() == 0) continue;
-        of_poses("volume_ratio", m.volume);
-        of_poses("area_ratio", m.area);
-        of_poses("radius_ratio", m.radius);
+        of_poses("volume_ratio_to_true_box", m.volume);
+        of_poses("area_ratio_to_true_box", m.area);
+        of_poses("radius_ratio_to_true_box", m.radius);
         of_poses("volume_ratio_to_joint_boxes", m.to_reference);
       }
     for (const EngineCost& c : r.costs) {

@@ -9,29 +9,14 @@
 // the vertex at rest, and not when it has turned.
 #pragma once
 
-#include <span>
-
 #include "algorithms/runtime/balls/box.hpp"
 
 namespace refitlab {
 
-// Returns the box around at least one point.
-template <class S>
-Box<S> box_around(std::span<const Vec<S, 3>> points) {
-  Box<S> box{points[0], points[0]};
-  for (const Vec<S, 3>& p : points) box.merge(p);
-  return box;
-}
-
 // Returns the length. pivots is the box of the pivots at rest, and mesh is that of the mesh at rest.
 template <class S>
 S pivot_padding(const Box<S>& pivots, const Box<S>& mesh) {
-  S most(0);
-  for (int i = 0; i < 3; ++i) {
-    most = max_of<S>(most, pivots.low[i] - mesh.low[i]);
-    most = max_of<S>(most, mesh.high[i] - pivots.high[i]);
-  }
-  return most;
+  return max_of<S>(S(0), beyond_box(mesh, pivots));
 }
 
 // Returns the padded box. pivots is the box of the pivots in the pose.

@@ -100,8 +100,8 @@ void write_joint_growth(const std::vector<JointGrowth>& rows, const std::string&
     }
     add("own", "ns_of_root", r.own_root, "ns");
     add("through_descendants", "ns_of_root", r.root_through_descendants, "ns");
-    add("own", "root_ratio_to_optimal", r.root_ratio, "1");
-    add("through_descendants", "root_ratio_to_optimal", r.root_ratio_through_descendants, "1");
+    add("own", "radius_ratio_to_optimal_of_root", r.root_ratio, "1");
+    add("through_descendants", "radius_ratio_to_optimal_of_root", r.root_ratio_through_descendants, "1");
   }
   file.write(path);
 }

@@ -59,7 +59,7 @@ void write_crossfades(const std::vector<CrossfadesResult>& results, const std::s
     for (const CrossfadeResult& c : r.crossfades) {
       const std::string name = c.first + " to " + c.second;
       add(name, "checks", static_cast<double>(c.places));
-      add(name, "misses", static_cast<double>(c.outside));
+      add(name, "missed_places", static_cast<double>(c.outside));
       add(name, "undecided", static_cast<double>(c.undecided));
       add(name, "character_volume_ratio", c.whole_ratio);
       add(name, "mean_cluster_volume_ratio", c.cluster_ratio);

@@ -114,7 +114,7 @@ void write_over_time(const std::vector<OverTimeResult>& results, const OverTimeS
       add_count("close_times", c.close_times);
       add_count("checks", c.places);
       add_count("exact_checks", c.exact_checks);
-      add_count("exact_misses", c.exact_misses);
+      add_count("exact_missed_places", c.exact_misses);
       add_count("exact_undecided", c.exact_undecided);
       add(c.clip, "bounds", "character_volume_ratio", c.whole_ratio);
       add(c.clip, "bounds", "mean_cluster_volume_ratio", c.cluster_ratio);

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/over_time/sampled_boxes.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace refitlab {
 
 const std::vector<SamplingWay>& sampling_ways() {
@@ -12,15 +9,11 @@ const std::vector<SamplingWay>& sampling_ways() {
 }
 
 std::vector<double> sampled_times(const SamplingWay& way, const std::vector<double>& key_times) {
-  if (way.rate == 0) return key_times;
-  std::vector<double> times;
-  for (int i = 0; i / way.rate < key_times.back(); ++i) times.push_back(i / way.rate);
-  times.push_back(key_times.back());
-  return times;
+  return way.rate == 0 ? key_times : times_at_rate(way.rate, key_times.back());
 }
 
 Box<float> with_room(Box<double> box) {
-  box.grow(ModelBoundsOptions{}.renderer_rounding * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff());
+  box.grow(ModelBoundsOptions{}.renderer_rounding * box.greatest_coordinate());
   return rounded_outward(box);
 }
 

@@ -110,8 +110,8 @@ class FailingPose {
     Point3 normal = Point3::Zero();
     const TreeNode& n = c_.tree.nodes[node_];
     for (int t = 0; t < n.triangle_count; ++t) {
-      const Triangle& corners = c_.mesh.triangles[c_.tree.triangle_order[n.first_triangle + t]];
-      normal += (vertices_[corners[1]] - vertices_[corners[0]]).cross(vertices_[corners[2]] - vertices_[corners[0]]);
+      const Triangle& triangle = c_.mesh.triangles[c_.tree.triangle_order[n.first_triangle + t]];
+      normal += (vertices_[triangle[1]] - vertices_[triangle[0]]).cross(vertices_[triangle[2]] - vertices_[triangle[0]]);
     }
     const Point3 tilted = normal.normalized() + Point3(0.2, 0, 0.2);
     return tilted.cross(Point3::UnitY()).norm() > 0.1 ? tilted : Point3::UnitZ();

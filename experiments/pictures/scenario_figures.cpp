@@ -12,7 +12,7 @@
 namespace refitlab {
 namespace {
 
-constexpr int encounter_width = 560, encounter_height = 600;
+constexpr int scenario_width = 560, scenario_height = 600;
 constexpr render::Color first_skin = render::palette::clay, second_skin{0.66, 0.74, 0.80};
 
 // A Walker is one of the two, in the world, after the query.
@@ -95,11 +95,11 @@ void draw(const AnimatedCharacter& c, const std::string& scene_name, const std::
 
   std::vector<Point3> points;
   for (const Walker& w : met.walkers) points.insert(points.end(), w.vertices.begin(), w.vertices.end());
-  const auto camera = render::Camera::frame(points, from, double(encounter_width) / encounter_height, 0.1);
+  const auto camera = render::Camera::frame(points, from, double(scenario_width) / scenario_height, 0.1);
   const std::string file = c.mesh.name + "_" + scene_name + "_";
   render::Scene bare;
   add_skins(bare, c.mesh, met);
-  pictures.draw(bare, camera, {.width = encounter_width, .height = encounter_height}, {figure, c.mesh.name, scene_name, asked},
+  pictures.draw(bare, camera, {.width = scenario_width, .height = scenario_height}, {figure, c.mesh.name, scene_name, asked},
                 file + "bare.png",
                 {{"touching_pairs", static_cast<double>(met.pairs)}, {"tree_levels", static_cast<double>(c.tree.level_count())}});
   for (const int level : levels_there(c.tree, levels)) {
@@ -109,7 +109,7 @@ void draw(const AnimatedCharacter& c, const std::string& scene_name, const std::
       for (const int n : nodes_of_level(c.tree, level))
         if (w.refitted[n]) scene.balls.push_back({w.balls[n], figure_colors::holding, 0.16});
         else scene.balls.push_back({w.balls[n], figure_colors::idle, 0.03});
-    pictures.draw(scene, camera, {.width = encounter_width, .height = encounter_height},
+    pictures.draw(scene, camera, {.width = scenario_width, .height = scenario_height},
                   {figure, c.mesh.name, scene_name, asked, level}, file + "level" + std::to_string(level) + ".png",
                   {{"share_of_nodes_refitted", share_refitted(c.tree, met, level)},
                    {"share_of_nodes_refitted_by_default", share_refitted(c.tree, ours, level)}});

@@ -47,13 +47,13 @@ Point3 nearest_on_segment(const Point3& p, const Point3& a, const Point3& b) {
 }
 
 Distance membrane(const Point3& a, const Point3& b, const Point3& c, double half_thickness) {
-  const std::array<Point3, 3> corners = {a, b, c};
+  const std::array<Point3, 3> vertices = {a, b, c};
   const Point3 normal = cross(Point3(b - a), Point3(c - a)).normalized();
   return [=](const Point3& p) {
     bool above = true;  // the foot of the perpendicular lies in the triangle
     double nearest = 1e9;
     for (int i = 0; i < 3; ++i) {
-      const Point3 &from = corners[i], &to = corners[(i + 1) % 3];
+      const Point3 &from = vertices[i], &to = vertices[(i + 1) % 3];
       above = above && dot(cross(normal, Point3(to - from)), Point3(p - from)) >= 0;
       nearest = std::min(nearest, norm(Point3(p - nearest_on_segment(p, from, to))));
     }
@@ -81,7 +81,7 @@ void ImplicitBody::add_ellipsoid(const Point3& center, const Point3& radii, doub
 void ImplicitBody::add_membrane(const Point3& a, const Point3& b, const Point3& c, double half_thickness, double blend) {
   const Point3 center = (a + b + c) / 3;
   double reach = 0;
-  for (const Point3& corner : {a, b, c}) reach = std::max(reach, norm(Point3(corner - center)));
+  for (const Point3& vertex : {a, b, c}) reach = std::max(reach, norm(Point3(vertex - center)));
   add({membrane(a, b, c, half_thickness), blend, false, center, reach + half_thickness});
 }
 

@@ -63,8 +63,8 @@ std::vector<std::vector<Influence>> heat_weights(const SkinMesh& skin, const std
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd area = Eigen::VectorXd::Zero(n);
   for (const Triangle& triangle : skin.triangles)
-    for (int corner = 0; corner < 3; ++corner) {
-      const int a = triangle[corner], b = triangle[(corner + 1) % 3], c = triangle[(corner + 2) % 3];
+    for (int k = 0; k < 3; ++k) {
+      const int a = triangle[k], b = triangle[(k + 1) % 3], c = triangle[(k + 2) % 3];
       const Point3 ab = skin.vertices[b] - skin.vertices[a], ac = skin.vertices[c] - skin.vertices[a];
       const double twice_area = norm(cross(ab, ac));
       const double conductance = std::max(0.5 * dot(ab, ac) / twice_area, 0.);  // >= 0: no weight leaves [0, 1]

@@ -79,8 +79,8 @@ Caster::Layer Caster::build(const Scene& scene, bool opaque) const {
     const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* points = buffer<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 3, mesh.vertices.size());
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) write(points + 3 * i, mesh.vertices[i]);
-    auto* corners = buffer<unsigned>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, 3, mesh.triangles.size());
-    for (const auto& triangle : mesh.triangles) corners = std::copy(triangle.begin(), triangle.end(), corners);
+    auto* indices = buffer<unsigned>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, 3, mesh.triangles.size());
+    for (const auto& triangle : mesh.triangles) indices = std::copy(triangle.begin(), triangle.end(), indices);
     Part part;
     part.mesh = &mesh;
     part.normals = vertex_normals(mesh);

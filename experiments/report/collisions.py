@@ -15,8 +15,8 @@ TABLE_2 = {"lbs": "linear", "sbs": "spherical_repaired", "bottom_up": "brown"}
 def fastest_engine(results, model, scene):
     """Returns the us of a full query by the fastest engine of those that found all pairs, or None if there is none."""
     where = dict(model=model, scene=scene, query="full", level=ALL, origin="engine")
-    exact = {row.variant for row in results.find("collision", quantity="differing_pairs", **where) if row.value == 0}
-    return min((row.value for row in results.find("collision", quantity="us_per_frame", **where) if row.variant in exact), default=None)
+    exact = {row.variant for row in results.find("collisions", quantity="differing_pairs", **where) if row.value == 0}
+    return min((row.value for row in results.find("collisions", quantity="us_per_frame", **where) if row.variant in exact), default=None)
 
 
 class Model:
@@ -24,9 +24,9 @@ class Model:
 
     def __init__(self, results, model):
         self.results, self.model = results, model
-        self.scenes = results.distinct("collision", "scene", model=model)
-        self.detectors = results.distinct("collision", "variant", model=model)
-        self._found = {(r.scene, r.query, r.variant, r.level, r.quantity): r for r in results.find("collision", model=model)}
+        self.scenes = results.distinct("collisions", "scene", model=model)
+        self.detectors = results.distinct("collisions", "variant", model=model)
+        self._found = {(r.scene, r.query, r.variant, r.level, r.quantity): r for r in results.find("collisions", model=model)}
 
     def row(self, scene, query, detector, quantity="us_per_frame", level=ALL):
         return self._found.get((scene, query, detector, level, quantity))
@@ -47,7 +47,7 @@ class Model:
         last = next((row for row in reversed(rows) if row), None)
         if last is None:
             return None
-        comparable = last.origin == "oracle" or self.value(last.scene, query, detector, quantity="ratio_to_skin_all") is not None
+        comparable = last.origin == "oracle" or self.value(last.scene, query, detector, quantity="time_ratio_to_skin_all") is not None
         return last.origin if comparable else ""
 
     def bars(self, query):
@@ -56,9 +56,9 @@ class Model:
         return BarPanels(f"{self.model}, {query}: us a frame", self.heads(), rows).svg()
 
     def times(self, query):
-        """Returns a row for each detector: name, origin, and by scene us, times the fastest engine's, times that of the fastest rival in float."""
+        """Returns a row for each detector: name, origin, and by scene us, times the fastest engine's, times that of the fastest baseline skinned in float."""
         return [(d, ORIGINS[self.origin(query, d)],
-                 [{q: self.value(scene, query, d, quantity=q) for q in ("us_per_frame", "ratio_to_engine", "ratio_to_skin_all")}
+                 [{q: self.value(scene, query, d, quantity=q) for q in ("us_per_frame", "time_ratio_to_engine", "time_ratio_to_skin_all")}
                   for scene in self.scenes]) for d in self.detectors if self.origin(query, d)]
 
     def work(self):
@@ -79,7 +79,7 @@ class Model:
 
 def headline_section(results, page):
     """Shows the first model's times scene by scene: ours, the paper's query and what one would take instead."""
-    model = Model(results, results.rows("collision")[0].model)
+    model = Model(results, results.rows("collisions")[0].model)
 
     def times(detector):
         return [model.value(scene, "full", detector) for scene in model.scenes]
@@ -102,8 +102,8 @@ def differences(results):
     for detector in results.rows("detectors"):
         if detector.tolerated_share_of_pairs > 0 and detector.found == "yes":
             def of(quantity):
-                return sum(r.value for r in results.find("collision", variant=detector.detector, query="full", quantity=quantity))
-            if list(results.find("collision", variant=detector.detector, query="full", quantity="pairs")):  # it was measured
+                return sum(r.value for r in results.find("collisions", variant=detector.detector, query="full", quantity=quantity))
+            if list(results.find("collisions", variant=detector.detector, query="full", quantity="pairs")):  # it was measured
                 out.append((detector, of("differing_pairs"), of("pairs")))
     return out
 
@@ -113,7 +113,7 @@ def table_2(results):
     rows = []
     for row in original.table2():
         def us(detector):
-            return results.number_or_none("collision", model=row.model, scene=row.scene, query=row.query, variant=detector, quantity="us_per_frame")
+            return results.number_or_none("collisions", model=row.model, scene=row.scene, query=row.query, variant=detector, quantity="us_per_frame")
         if us("brown") is not None:
             rows.append((row.scenario, [(us(detector), getattr(row, column)) for column, detector in TABLE_2.items()]))
     return rows
@@ -126,14 +126,14 @@ def sphere_costs(results):
     rows = []
     for r in results.find("speed", variant="linear", quantity="ns_per_sphere", level=ALL):
         ns = results.number("speed", model=r.model, variant="spherical_repaired", quantity="ns_per_sphere", level=ALL)
-        ratio = results.number("speed", model=r.model, variant="linear", quantity="ratio_to_repaired", level=ALL)
+        ratio = results.number("speed", model=r.model, variant="linear", quantity="time_ratio_to_repaired", level=ALL)
         rows.append((r.model, r.value, ns, 1 / ratio))
     return rows
 
 
 def section(results, page):
-    models = [Model(results, model) for model in results.distinct("collision", "model")]
-    there = set(results.distinct("collision", "variant"))
+    models = [Model(results, model) for model in results.distinct("collisions", "model")]
+    there = set(results.distinct("collisions", "variant"))
     detectors = results.rows("detectors")
     shares = [(m.model, scene, m.shares(scene)) for m in models for scene in m.scenes]
     return {"models": models, "queries": QUERIES, "differences": differences(results),

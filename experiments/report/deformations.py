@@ -23,7 +23,7 @@ REDUCED_KINDS = {"vibration": ("A vibration, no skinning", REDUCED), "clip": ("A
 
 def levels(results, **where):
     """Returns (level, ratio to the smallest balls) of one model and variant."""
-    return [(row.level, row.value) for row in results.find("deformations", quantity="ratio_to_optimal", **where)]
+    return [(row.level, row.value) for row in results.find("deformations", quantity="radius_ratio_to_optimal", **where)]
 
 
 def worst(results, **where):
@@ -32,7 +32,7 @@ def worst(results, **where):
 
 
 def misses(results, **where):
-    return round(sum(row.value for row in results.find("deformations", quantity="misses", **where)))
+    return round(sum(row.value for row in results.find("deformations", quantity="missed_balls", **where)))
 
 
 def balls(results, **where):
@@ -40,7 +40,7 @@ def balls(results, **where):
 
 
 def models_of(results, kind):
-    return results.distinct("deformations", "model", kind=kind, quantity="ratio_to_optimal")
+    return results.distinct("deformations", "model", kind=kind, quantity="radius_ratio_to_optimal")
 
 
 def tightness_rows(results):

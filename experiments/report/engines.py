@@ -23,7 +23,7 @@ METHODS = {
 }
 # The goals compare this method with joint boxes. They are the greatest mean volume and cost.
 OURS, GOALS = "rounded_boxes", {"volume": 0.8, "cost": 1.0}
-RATIOS = ("volume_ratio", "area_ratio", "radius_ratio", "volume_ratio_to_joint_boxes")
+RATIOS = ("volume_ratio_to_true_box", "area_ratio_to_true_box", "radius_ratio_to_true_box", "volume_ratio_to_joint_boxes")
 
 
 def of_clips(results, method, quantity, **where):
@@ -50,12 +50,12 @@ def row_of(results, method, skinning):
     """Returns the row of a method, or None if it was not measured."""
     if not results.find("engines", variant=method, skinning=skinning, kind="clip", quantity="poses"):
         return None
-    has_twists = bool(results.find("engines", variant=method, skinning=skinning, kind="twists", quantity="misses"))
+    has_twists = bool(results.find("engines", variant=method, skinning=skinning, kind="twists", quantity="missed_poses"))
     row = {"method": METHODS[method][0], "who": METHODS[method][1], "is_ours": METHODS[method][1] == "ours",
-           "misses": total(results, method, "misses", "clip", skinning=skinning), "poses": total(results, method, "poses", "clip", skinning=skinning),
+           "misses": total(results, method, "missed_poses", "clip", skinning=skinning), "poses": total(results, method, "poses", "clip", skinning=skinning),
            "undecided": total(results, method, "undecided", "clip", skinning=skinning), "by": farthest(results, method, skinning=skinning),
            "unbounded": total(results, method, "unbounded", "clip", skinning=skinning),
-           "twists": (total(results, method, "misses", "twists", skinning=skinning), total(results, method, "poses", "twists", skinning=skinning)) if has_twists else None}
+           "twists": (total(results, method, "missed_poses", "twists", skinning=skinning), total(results, method, "poses", "twists", skinning=skinning)) if has_twists else None}
     for quantity in RATIOS:  # of clips that have a bound at some time
         found = results.find("engines", variant=method, skinning=skinning, kind="clip", quantity=quantity)
         row[quantity] = mean(r.value for r in found) if found else None
@@ -115,7 +115,7 @@ def clip_rows(results):
 
 
 def section(results, page):
-    measured = [s for s in SKINNINGS if results.find("engines", skinning=s, kind="clip", quantity="volume_ratio")]
+    measured = [s for s in SKINNINGS if results.find("engines", skinning=s, kind="clip", quantity="volume_ratio_to_true_box")]
     if not measured:  # models without clips, or flat ones
         return None
     tables = [{"name": SKINNINGS[s], "is_linear": s == "linear", "rows": [row for method in METHODS if (row := row_of(results, method, s))]} for s in measured]

@@ -19,7 +19,7 @@ SOURCES = {
     "volumes": [*RUN, "experiments/tightness", "experiments/speed"],
     "speed": [*RUN, "experiments/speed"],
     "batch_speed": [*RUN, "experiments/speed"],
-    "collision": [*RUN, *QUERIES],
+    "collisions": [*RUN, *QUERIES],
     "triangle_growth": [*RUN, *QUERIES, "experiments/growth"],
     "rounding": [*RUN, "experiments/rounding", *TIMING],
     "joint_growth": [*RUN, *QUERIES, "experiments/growth"],

@@ -55,7 +55,7 @@ def joints_section(results, page):
               ("through_descendants", "ns_of_root_from_known_cut")]
         rows.append({"joints": joints, "sets": round(of("own", "joint_sets")), "many": round(of("own", "nodes_of_many_joint_sets")),
                      "us": [None if (t := of(*which)) is None else t / 1000 for which in ns],
-                     "ratios": [of(variant, "root_ratio_to_optimal") for variant in ("own", "through_descendants")]})
+                     "ratios": [of(variant, "radius_ratio_to_optimal_of_root") for variant in ("own", "through_descendants")]})
     return {"exponent": joint_exponent(results), "fitted": FITTED_JOINTS, "rows": rows,
             "plot": Plot("the root's ball", "joints", "us", lines, log_x=True, log_y=True).svg()}
 

@@ -83,7 +83,7 @@ def fades(results, **where):
     def of(row, quantity):
         return results.number("crossfades", model=row.model, pose=row.pose, skinning=row.skinning, quantity=quantity)
     return [{"model": row.model, "pose": row.pose, "skinning": SKINNINGS[row.skinning], "whole": row.value, "has_clusters": of(row, "clusters") > 0,
-             "clusters": of(row, "mean_cluster_volume_ratio"), "checks": round(of(row, "checks")), "misses": round(of(row, "misses")),
+             "clusters": of(row, "mean_cluster_volume_ratio"), "checks": round(of(row, "checks")), "misses": round(of(row, "missed_places")),
              "undecided": round(of(row, "undecided")), "out_of_both_clips": round(of(row, "out_of_both_clips")),
              "is_within": max(row.value, of(row, "mean_cluster_volume_ratio")) <= FADE_GOAL}
             for row in results.find("crossfades", quantity="character_volume_ratio", **where)]
@@ -94,7 +94,7 @@ def section(results, page):
     if not measured:  # models without clips
         return None
     of_skinnings = [{"name": SKINNINGS[s], "clips": len(results.select("over_time", skinning=s, quantity="duration")), "clusters": round(clusters_of_clips(results, s)),
-                     "checks": total(results, "checks", skinning=s), "exact": {q: total(results, f"exact_{q}", skinning=s) for q in ("checks", "misses", "undecided")},
+                     "checks": total(results, "checks", skinning=s), "exact": {q: total(results, f"exact_{q}", skinning=s) for q in ("checks", "missed_places", "undecided")},
                      "rows": [misses(results, s, way) for way in WAYS], "whole": whole_ratios(results, skinning=s), "within": within_goal(results, skinning=s), "cluster": cluster_ratio(results, skinning=s)}
                     for s in measured]
     rows = [tightness_row(results, model, s) for model in results.distinct("over_time", "model") for s in SKINNINGS]

@@ -16,7 +16,7 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 SECTIONS = [
     ("Pictures", "pictures", pictures.section, ["pictures"]),
     ("Explorer", "explorer", explorer.section, []),
-    ("Queries at a glance", "headline", collisions.headline_section, ["collision"]),
+    ("Queries at a glance", "headline", collisions.headline_section, ["collisions"]),
     ("Verdicts on the lemmas", "verdicts", verdicts.section, []),
     ("Tightness", "tightness", tightness.section, ["tightness"]),
     ("Speed", "speed", speed.section, ["speed"]),
@@ -27,7 +27,7 @@ SECTIONS = [
     ("Bounds over time", "over_time", over_time.section, ["over_time"]),
     ("What engines ship", "engines", engines.section, ["engines"]),
     ("Scaled joints, morph targets, reduced deformations", "deformations", deformations.section, ["deformations"]),
-    ("Collision queries", "collisions", collisions.section, ["collision"]),
+    ("Collision queries", "collisions", collisions.section, ["collisions"]),
     ("Growth with triangles", "triangles", growth.triangles_section, ["triangle_growth"]),
     ("Growth with joints", "joints", growth.joints_section, ["joint_growth"]),
     ("Many characters in one scene", "characters", growth.characters_section, ["character_growth"]),

@@ -34,7 +34,7 @@ PRINTED = {
 
 def worst_ratio(results, variant, kind="clip", **where):
     """The largest average ratio to the optimal radius, over models, poses of this kind and levels."""
-    return max(results.values("tightness", variant=variant, quantity="ratio_to_optimal", pose_kind=kind, **where))
+    return max(results.values("tightness", variant=variant, quantity="radius_ratio_to_optimal", pose_kind=kind, **where))
 
 
 def total(results, file, **where):
@@ -48,11 +48,11 @@ def is_sound(results):
 
 
 def cost_ratios(results, variant):
-    return results.values("speed", variant=variant, quantity="ratio_to_repaired", level=ALL)
+    return results.values("speed", variant=variant, quantity="time_ratio_to_repaired", level=ALL)
 
 
 def time_of(results, scene, detector, query="full", quantity="us_per_frame"):
-    return results.number("collision", model="man", scene=scene, query=query, variant=detector, level=ALL, quantity=quantity)
+    return results.number("collisions", model="man", scene=scene, query=query, variant=detector, level=ALL, quantity=quantity)
 
 
 def times_of_ours(results, scene, ratio):
@@ -73,7 +73,7 @@ def grown(results, triangles, scene, detector, quantity="us_per_frame"):
 
 def grown_gain(results, scene):
     """Returns how many times the time of our query Embree's takes with the finest meshes, by the ratio in the same repetitions."""
-    return 1 / grown(results, largest_growth(results), scene, "clusters", "ratio_to_engine")
+    return 1 / grown(results, largest_growth(results), scene, "clusters", "time_ratio_to_engine")
 
 
 def largest_growth(results):
@@ -83,7 +83,7 @@ def largest_growth(results):
 def fastest_engine(results, scene):
     found = collisions.fastest_engine(results, "man", scene)
     if found is None:
-        raise ResultError(f"{results.path('collision')}: no engine found all pairs of two men, {scene}")
+        raise ResultError(f"{results.path('collisions')}: no engine found all pairs of two men, {scene}")
     return found
 
 
@@ -99,18 +99,18 @@ def fewer_spheres(results):
 
 def upper_cost_ratios(results, variant):
     """Of spheres on the upper third of a tree's levels, which queries refit most."""
-    rows = [(int(row.level), row.model, row.value) for row in results.select("speed", variant=variant, quantity="ratio_to_repaired") if row.level != ALL]
+    rows = [(int(row.level), row.model, row.value) for row in results.select("speed", variant=variant, quantity="time_ratio_to_repaired") if row.level != ALL]
     levels = {model: max(level for level, other, _ in rows if other == model) for _, model, _ in rows}
     return [ratio for level, model, ratio in rows if 3 * level <= levels[model]]
 
 
 def query_ratios(results):
     """Of whole queries with the default refit over those with Algorithm 1 repaired, in all scenes of the man."""
-    return [time_of(results, scene, "control_mixed", quantity="ratio_to_repaired") for scene in SCENES]
+    return [time_of(results, scene, "control_mixed", quantity="time_ratio_to_repaired") for scene in SCENES]
 
 
 def batch_gains(results):
-    return [1 / v for v in results.values("batch_speed", operation="refit_spherical", method="avx512", quantity="ratio_to_scalar")]
+    return [1 / v for v in results.values("batch_speed", operation="refit_spherical", variant="avx512", quantity="time_ratio_to_scalar")]
 
 
 # --- The paper's numbers ---
@@ -124,15 +124,15 @@ def numbers(results, root):
     out["twist.control_mixed"] = digits(worst_ratio(results, "control_mixed", "twist"))
     for variant in ["control_mixed", "control_many_pieces", "linear"]:
         out[f"cost.{variant}.least"], out[f"cost.{variant}.most"] = (digits(v, 2) for v in span(cost_ratios(results, variant)))
-    for name, quantity in [("misses", "misses"), ("balls", "nodes")]:
+    for name, quantity in [("misses", "missed_balls"), ("balls", "nodes")]:
         out[f"sound.{name}"] = whole_number(total(results, "tightness", quantity=quantity, variant=is_sound(results)))
-    out["volumes.misses"] = whole_number(total(results, "volumes", quantity="misses"))
+    out["volumes.misses"] = whole_number(total(results, "volumes", quantity="missed_volumes"))
     out["spheres.least"], out["spheres.most"] = (digits(v, 2) for v in span(fewer_spheres(results)))
     out["default.query.least"], out["default.query.most"] = (digits(v, 2) for v in span(query_ratios(results)))
     out["batch.least"], out["batch.most"] = (digits(v, 2) for v in span(batch_gains(results)))
     for scene in SCENES:
         for name in ("engine", "skin_all", "repaired"):
-            out[f"{name.replace('_', '')}.{scene}"] = digits(times_of_ours(results, scene, f"ratio_to_{name}"), 2)
+            out[f"{name.replace('_', '')}.{scene}"] = digits(times_of_ours(results, scene, f"time_ratio_to_{name}"), 2)
     most = largest_growth(results)
     out["growth.triangles"] = whole_number(most)
     for scene in CLOSE_SCENES:
@@ -145,16 +145,16 @@ def numbers(results, root):
     for name, variant, quantity in [("own", "own", "ns_of_root"), ("cold", "through_descendants", "ns_of_root"),
                                     ("below", "through_descendants", "ns_of_root_from_known_cut")]:
         out[f"joints.{name}"] = digits(results.number("joint_growth", joints=joints, variant=variant, quantity=quantity) / 1000, 2)
-    out["joints.ratio"] = digits(results.number("joint_growth", joints=joints, variant="through_descendants", quantity="root_ratio_to_optimal"))
+    out["joints.ratio"] = digits(results.number("joint_growth", joints=joints, variant="through_descendants", quantity="radius_ratio_to_optimal_of_root"))
     men = max(results.distinct("character_growth", "characters"))
     us, contacts = (results.number("character_growth", characters=men, variant="clusters", quantity=q) for q in ("us_per_frame", "contacts"))
     out["crowd.men"], out["crowd.ms"], out["crowd.contacts"] = whole_number(men), digits(us / 1000, 2), whole_number(contacts)
     out["rounding.checks"] = whole_number(total(results, "rounding", quantity="exact_checks"))
-    out["rounding.misses"] = whole_number(total(results, "rounding", quantity="misses") +
-                                          total(results, "rounding", quantity="float_misses"))
+    out["rounding.misses"] = whole_number(total(results, "rounding", quantity="missed_vertices") +
+                                          total(results, "rounding", quantity="missed_vertices_in_float"))
     for name, quantity in [("places", "checks"), ("exact", "exact_checks"), ("unknown", "exact_undecided")]:
         out[f"overtime.{name}"] = whole_number(over_time.total(results, quantity))
-    out["overtime.misses"] = whole_number(sum(over_time.total(results, q) for q in ("character_misses", "cluster_misses", "exact_misses")))
+    out["overtime.misses"] = whole_number(sum(over_time.total(results, q) for q in ("character_misses", "cluster_misses", "exact_missed_places")))
     out["overtime.refused"] = whole_number(over_time.total(results, "refused_clips"))
     for skinning in over_time.SKINNINGS:
         out[f"overtime.whole.{skinning}"] = f"{over_time.whole_ratios(results, skinning=skinning).most:.3f}"
@@ -199,7 +199,7 @@ def tightness_table(results, model, pose):
     variants = [*SPHERICAL, "bottom_up"]
     names = {**SPHERICAL, "bottom_up": "skinned, bottom-up"}
     levels = [1, 2, 3, 4, 6, 8, 10, 12]
-    rows = [[names[v], *(f"{results.number('tightness', model=model, pose=pose, variant=v, level=l, quantity='ratio_to_optimal'):.2f}"
+    rows = [[names[v], *(f"{results.number('tightness', model=model, pose=pose, variant=v, level=l, quantity='radius_ratio_to_optimal'):.2f}"
                          for l in levels)] for v in variants]
     return table("l" + "r" * len(levels), ["", *map(str, levels)], rows)
 
@@ -222,7 +222,7 @@ def misses_table(results):
         cells = [name]
         for kind in ("clip", "twist"):
             balls, misses, undefined = (total(results, "tightness", variant=variant, quantity=q, pose_kind=kind)
-                                        for q in ("nodes", "misses", "undefined"))
+                                        for q in ("nodes", "missed_balls", "undefined"))
             cells += [f"{100 * misses / balls:.2g}\\,\\%", f"{100 * undefined / balls:.2g}\\,\\%"]
         rows.append(cells)
     return table("lrrrr", ["", "clips: missed", "undefined", "twists: missed", "undefined"], rows)
@@ -232,7 +232,7 @@ def cost_table(results):
     variants = {"linear": "linear \\cite{KavanZara2005a}", **SPHERICAL}
     rows = []
     for variant, name in variants.items():
-        rows.append([name, *(f"{results.number('speed', model=m, variant=variant, level=ALL, quantity='ratio_to_repaired'):.2f}" for m in MODELS)])
+        rows.append([name, *(f"{results.number('speed', model=m, variant=variant, level=ALL, quantity='time_ratio_to_repaired'):.2f}" for m in MODELS)])
     rows += [None, ["repaired, ns a sphere", *(whole_number(results.number(
         "speed", model=m, variant="spherical_repaired", level=ALL, quantity="ns_per_sphere")) for m in MODELS)]]
     return table("l" + "r" * len(MODELS), ["", *map(short_model, MODELS)], rows)
@@ -243,7 +243,7 @@ def batch_table(results):
     for operation, name in [("refit_linear", "refit, linear"), ("refit_spherical", "refit, Algorithm 1 repaired"),
                             ("skin_linear", "skinning, linear"), ("skin_spherical", "skinning, spherical"),
                             ("skin_dual_quaternion", "skinning, dual quaternion")]:
-        rows.append([name, *(digits(results.number("batch_speed", model="man", operation=operation, method=method, unit="ns"), 2)
+        rows.append([name, *(digits(results.number("batch_speed", model="man", operation=operation, variant=method, unit="ns"), 2)
                              for method in ["scalar", "baseline", "avx2", "avx512"])])
     return table("lrrrr", ["ns a sphere or vertex", "scalar", "SSE2", "AVX2", "AVX-512"], rows)
 
@@ -255,7 +255,7 @@ def volumes_table(results):
     rows = []
     for variant, name in names.items():
         cost = span(results.values("volumes", variant=variant, quantity="time_ratio_to_ball", level=ALL))
-        rows.append([name, f"{average(variant, 'ratio_to_optimal'):.2f}", f"{average(variant, 'volume_ratio_to_ball'):.2f}",
+        rows.append([name, f"{average(variant, 'size_ratio_to_optimal'):.2f}", f"{average(variant, 'volume_ratio_to_ball'):.2f}",
                      f"{cost.least:.1f}--{cost.most:.1f}"])
     return table("lrrr", ["", "size / around vertices", "volume / ball", "cost / ball"], rows)
 
@@ -267,9 +267,9 @@ def rounding_table(results):
     for variant, name in names.items():
         def of(quantity):
             return results.values("rounding", variant=variant, quantity=quantity)
-        rows.append([name, f"{100 * sum(of('misses_without_slack')) / sum(of('exact_checks')):.2g}\\,\\%",
-                     whole_number(sum(of("misses") + of("float_misses"))), power_of_ten(max(of("inflation_median"))),
-                     power_of_ten(max(of("float_inflation_median"))), f"{min(of('cost_ratio')):.2f}--{max(of('cost_ratio')):.2f}"])
+        rows.append([name, f"{100 * sum(of('missed_vertices_without_slack')) / sum(of('exact_checks')):.2g}\\,\\%",
+                     whole_number(sum(of("missed_vertices") + of("missed_vertices_in_float"))), power_of_ten(max(of("inflation_median"))),
+                     power_of_ten(max(of("float_inflation_median"))), f"{min(of('time_ratio_to_without_slack')):.2f}--{max(of('time_ratio_to_without_slack')):.2f}"])
     return table("lrrrrr", ["", "outside without", "with", "adds", "adds, float", "cost"], rows)
 
 
@@ -310,7 +310,7 @@ def engine_rows(results, number, cost_digits):
         of = {skinning: engines.row_of(results, method, skinning) for skinning in over_time.SKINNINGS}
         if not of["linear"]:
             continue
-        volume, cost = of["linear"]["volume_ratio"], engines.costs(results, method)["ratio"]
+        volume, cost = of["linear"]["volume_ratio_to_true_box"], engines.costs(results, method)["ratio"]
         cells = ["" if volume is None else f"{volume:.2f}", *(number(row["misses"]) if row else "" for row in of.values()),
                  "" if cost is None else digits(cost, cost_digits(cost))]
         rows.append((of["linear"]["method"].replace("’", "'"), of["linear"]["who"], cells))
@@ -333,7 +333,7 @@ def reduced_table(results):
 
 
 def provenance_table(results):
-    for name in ["tightness", "speed", "volumes", "batch_speed", "rounding", "collision", "triangle_growth", "joint_growth",
+    for name in ["tightness", "speed", "volumes", "batch_speed", "rounding", "collisions", "triangle_growth", "joint_growth",
                  "character_growth", "over_time", "over_time_growth", "engines", "deformations", "verdicts"]:
         results.rows(name)
     rows = [[f"\\texttt{{{escaped(name)}.csv}}", f"\\texttt{{{p['commit']}}}", escaped(p["compiler"]), escaped(p["cpu"])]
@@ -381,7 +381,7 @@ def tightness_plot(results, model, pose):
     lines = ["level " + " ".join(variants)]
     for level in levels:
         lines.append(f"{level} " + " ".join(str(results.number(
-            "tightness", model=model, pose=pose, variant=v, level=level, quantity="ratio_to_optimal")) for v in variants))
+            "tightness", model=model, pose=pose, variant=v, level=level, quantity="radius_ratio_to_optimal")) for v in variants))
     return "\n".join(lines) + "\n"
 
 
@@ -397,8 +397,8 @@ def pareto_plot(results, model):
     """Cost of each variant in the model's twist and its tightness in the walk, mean over the levels."""
     lines = ["cost ratio label"]
     for variant in SPHERICAL:
-        ratio = mean(results.values("tightness", model=model, pose="walk", variant=variant, quantity="ratio_to_optimal"))
-        cost = results.number("speed", model=model, variant=variant, level=ALL, quantity="ratio_to_repaired")
+        ratio = mean(results.values("tightness", model=model, pose="walk", variant=variant, quantity="radius_ratio_to_optimal"))
+        cost = results.number("speed", model=model, variant=variant, level=ALL, quantity="time_ratio_to_repaired")
         lines.append(f"{cost} {ratio} {variant.replace('_', '-')}")
     return "\n".join(lines) + "\n"
 

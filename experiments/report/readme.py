@@ -29,10 +29,10 @@ def command_of(results, name):
 
 
 def variants_block(results):
-    commit = commit_of(results, "tightness", "speed", "collision", "batch_speed")
+    commit = commit_of(results, "tightness", "speed", "collisions", "batch_speed")
     worst = {v: digits(paper_numbers.worst_ratio(results, v)) for v in ("spherical_repaired", "control_mixed", "control_many_pieces")}
     twist = digits(paper_numbers.worst_ratio(results, "control_mixed", "twist"))
-    missed = paper_numbers.total(results, "tightness", quantity="misses", variant=paper_numbers.is_sound(results))
+    missed = paper_numbers.total(results, "tightness", quantity="missed_balls", variant=paper_numbers.is_sound(results))
     gains = paper_numbers.batch_gains(results)
     upper, slower = max(paper_numbers.upper_cost_ratios(results, "control_mixed")), span(paper_numbers.query_ratios(results))
     return f"""\
@@ -48,10 +48,10 @@ with AVX-512 1/{min(gains):.0f} to 1/{max(gains):.0f} of refitting them one by o
 
 
 def queries_block(results):
-    commit = commit_of(results, "collision", "triangle_growth")
+    commit = commit_of(results, "collisions", "triangle_growth")
     scenes = ["far", "near", "light", "heavy"]
     most = paper_numbers.largest_growth(results)
-    cpu = results.provenance["collision"]["cpu"]
+    cpu = results.provenance["collisions"]["cpu"]
     rows = []
     for name, detector in [("`collide(ClusterBody, …)` with a `PairMemory`", "clusters"), ("the same without it", "clusters_without_memory"), ("skin everything in float, boxes bottom-up", "skin_all_float"),
                            ("the same with clusters of 512 triangles in place of 256", "skin_all_float_512"),
@@ -65,7 +65,7 @@ def queries_block(results):
     ceilings = {scene: digits(paper_numbers.gain_without(results, scene, "skin_all_float"), 3) for scene in ("light", "heavy")}
     return f"""\
 The table gives the microseconds a frame, from pose to pairs, to find all touching pairs of two walking men of 8270 triangles each
-(`{command_of(results, "collision")}`; commit {commit}, {cpu}, one thread, huge pages). Every set of pairs is checked: against brute force, and in the largest models against that of the third row. All rows but that of the sphere tree compare triangles in
+(`{command_of(results, "collisions")}`; commit {commit}, {cpu}, one thread, huge pages). Every set of pairs is checked: against brute force, and in the largest models against that of the third row. All rows but that of the sphere tree compare triangles in
 packs of floats first. The rows of engines and of the sphere tree skin in double, and all others in float. In the last four columns, the engine is Embree.
 
 | | {' | '.join(heads)} |
@@ -83,7 +83,7 @@ def over_time_block(results):
     commit = commit_of(results, "over_time", "over_time_growth")
     clips = len(results.select("over_time", skinning="linear", quantity="duration"))
     rows = [f"| {' | '.join(cells)} |" for cells in paper_numbers.out_of_bounds(results, "{:.0f}".format, " %")]
-    misses = sum(over_time.total(results, q) for q in ("character_misses", "cluster_misses", "exact_misses"))
+    misses = sum(over_time.total(results, q) for q in ("character_misses", "cluster_misses", "exact_missed_places"))
     undecided = over_time.total(results, "exact_undecided")
     unknown = f", and of {undecided} that were placed with many digits these are too few to tell" if undecided else ""
     whole = {s: f"{over_time.whole_ratios(results, skinning=s).most:.3f}" for s in over_time.SKINNINGS}
@@ -129,7 +129,7 @@ of skinning, in which a vertex is outside; where double precision cannot tell, {
 The goal for rounded boxes is {goals['volume']} of the volume of joint boxes on average or less, at no higher cost. They have {volume['mean']:.3f}, {'as they should' if volume['mean'] <= goals['volume'] else 'more than they should'}, where the
 true box has {volume['true']:.3f}; {volume['reached']} of {volume['clips']} clips are within the goal. They are fitted to twelve poses of each of these clips{of_others}. Their cost is {cost['ratio']:.2f} of that of joint boxes from a pose, and {cost['ratio_of_matrices']:.2f} from the matrices that
 skinning needs anyway, {'as it should be' if max(cost['ratio'], cost['ratio_of_matrices']) <= goals['cost'] else 'more than it should be'}; that is a mean, and the most is {most:.2f}, of {costliest}. Rounded boxes and capsules are sound for linear skinning alone: when each joint is twisted by 90 to 179 degrees, rounded boxes miss a vertex in {twisted['linear'][0]} of
-{twisted['linear'][1]} poses with linear, {twisted['dual_quaternion'][0]} with dual quaternion and {twisted['spherical'][0]} with spherical skinning. The motion bound is sound for all three. It has {any_ratio['dual_quaternion']['volume_ratio']:.2f} and {any_ratio['spherical']['volume_ratio']:.2f} times the
+{twisted['linear'][1]} poses with linear, {twisted['dual_quaternion'][0]} with dual quaternion and {twisted['spherical'][0]} with spherical skinning. The motion bound is sound for all three. It has {any_ratio['dual_quaternion']['volume_ratio_to_true_box']:.2f} and {any_ratio['spherical']['volume_ratio_to_true_box']:.2f} times the
 volume of the true box with the last two, where it has a bound: it has none in {any_ratio['dual_quaternion']['unbounded']} and {any_ratio['spherical']['unbounded']} poses, in which blends nearly vanish.
 """
 

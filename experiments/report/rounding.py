@@ -8,7 +8,7 @@ def section(results, page):
         def of(quantity):
             return results.number("rounding", model=checks.model, variant=checks.variant, quantity=quantity)
         rows.append({"model": checks.model, "variant": checks.variant, "checks": round(checks.value),
-                     "misses": round(of("misses")), "float_misses": round(of("float_misses")),
-                     "percent_without_slack": 100 * of("misses_without_slack") / checks.value,
-                     "inflation": of("inflation_median"), "float_inflation": of("float_inflation_median"), "cost": of("cost_ratio")})
+                     "misses": round(of("missed_vertices")), "float_misses": round(of("missed_vertices_in_float")),
+                     "percent_without_slack": 100 * of("missed_vertices_without_slack") / checks.value,
+                     "inflation": of("inflation_median"), "float_inflation": of("float_inflation_median"), "cost": of("time_ratio_to_without_slack")})
     return {"rows": rows}

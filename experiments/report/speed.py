@@ -16,7 +16,7 @@ class Price:
     variant: str
     skinning: str
     ns_per_sphere: float      # over the whole tree
-    ratio_to_repaired: float
+    time_ratio_to_repaired: float
     mean_ratio: float         # of average radius / optimal, over all levels and pose sets
     worst_ratio: float        # of these the largest
     misses: int               # balls with a vertex outside
@@ -28,12 +28,12 @@ def prices(results, model):
     skinning = {row.variant: row.skinning for row in results.rows("variants")}
     out = []
     for row in results.find("speed", model=model, quantity="ns_per_sphere", level=ALL):
-        ratios = [r.value for r in results.find("tightness", model=model, variant=row.variant, quantity="ratio_to_optimal")]
+        ratios = [r.value for r in results.find("tightness", model=model, variant=row.variant, quantity="radius_ratio_to_optimal")]
         if ratios:
             out.append(Price(row.variant, skinning[row.variant], row.value,
-                             results.number("speed", model=model, variant=row.variant, quantity="ratio_to_repaired", level=ALL),
+                             results.number("speed", model=model, variant=row.variant, quantity="time_ratio_to_repaired", level=ALL),
                              mean(ratios), max(ratios),
-                             round(sum(r.value for r in results.find("tightness", model=model, variant=row.variant, quantity="misses")))))
+                             round(sum(r.value for r in results.find("tightness", model=model, variant=row.variant, quantity="missed_balls")))))
     out.sort(key=lambda price: price.ns_per_sphere)
     for price in out:
         price.on_cut = is_on_cut((price.ns_per_sphere, price.worst_ratio),
@@ -57,14 +57,14 @@ def level_plot(results, model):
 def summary(variant, of_models):
     """Returns what the run says of one variant over all models. of_models are their prices."""
     mine = [p for of_model in of_models.values() for p in of_model if p.variant == variant]
-    return {"variant": variant, "costs": span(p.ratio_to_repaired for p in mine) if mine else None,
+    return {"variant": variant, "costs": span(p.time_ratio_to_repaired for p in mine) if mine else None,
             "worst": max((p.worst_ratio for p in mine), default=None)}
 
 
 def section(results, page):
     return {"rows": [{"model": r.model, "pose": r.pose, "variant": r.variant, "ns": r.value,
                       "ratio": results.number("speed", model=r.model, pose=r.pose, variant=r.variant, level=ALL,
-                                              quantity="ratio_to_repaired")}
+                                              quantity="time_ratio_to_repaired")}
                      for r in results.select("speed", quantity="ns_per_sphere", level=ALL)]}
 
 
@@ -79,8 +79,8 @@ def pareto_section(results, page):
 def batch_section(results, page):
     rows = []
     for r in results.select("batch_speed", unit="ns"):
-        where = {"model": r.model, "pose": r.pose, "variant": r.variant}
-        rows.append({**where, "operation": r.operation, "method": r.method, "ns": r.value,
-                     "ratio": results.number("batch_speed", quantity="ratio_to_scalar", **where),
-                     "to_linear": results.number_or_none("batch_speed", quantity="ratio_to_linear", **where)})
+        where = {"model": r.model, "pose": r.pose, "operation": r.operation, "variant": r.variant}
+        rows.append({**where, "ns": r.value,
+                     "ratio": results.number("batch_speed", quantity="time_ratio_to_scalar", **where),
+                     "to_linear": results.number_or_none("batch_speed", quantity="time_ratio_to_linear", **where)})
     return {"rows": rows}

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Synthetic cases in exact rationals: what each variant misses, how loose it is, what it costs."""
 
-QUANTITIES = ["cases", "undefined", "unbounded", "misses", "misses_beyond_tolerance", "worst_miss"]
+QUANTITIES = ["cases", "undefined", "unbounded", "missed_cases", "missed_cases_beyond_tolerance", "worst_miss"]
 NOT_ALWAYS = ["looseness_mean", "looseness_median", "looseness_max", "ns_per_refit"]
 
 

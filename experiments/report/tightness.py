@@ -22,12 +22,12 @@ class PoseSet:
 
     def ratios(self, variant):
         """Returns (level, average radius / optimal) of the levels that have a ball of the variant."""
-        return [(level, cell["ratio_to_optimal"]) for level, cell in sorted(self.levels[variant].items()) if "ratio_to_optimal" in cell]
+        return [(level, cell["radius_ratio_to_optimal"]) for level, cell in sorted(self.levels[variant].items()) if "radius_ratio_to_optimal" in cell]
 
     def merged(self, variant):
         """Returns the counts of all levels added up, and the worst miss of any."""
         cells = self.levels[variant].values()
-        out = {quantity: round(sum(cell.get(quantity, 0) for cell in cells)) for quantity in ("nodes", "undefined", "misses")}
+        out = {quantity: round(sum(cell.get(quantity, 0) for cell in cells)) for quantity in ("nodes", "undefined", "missed_balls")}
         return {**out, "worst_miss": max(cell.get("worst_miss", 0) for cell in cells)}
 
 
@@ -46,7 +46,7 @@ def conclusion(sets, variant):
     """Returns what one would take from a model's plots and tables: the variant's least and largest ratio, and its misses."""
     all_levels = [s.merged(variant) for s in sets]
     return {"variant": variant, "ratios": span([ratio for s in sets for _, ratio in s.ratios(variant)]),
-            "misses": sum(m["misses"] for m in all_levels), "nodes": sum(m["nodes"] for m in all_levels)}
+            "misses": sum(m["missed_balls"] for m in all_levels), "nodes": sum(m["nodes"] for m in all_levels)}
 
 
 def plot(pose_set):

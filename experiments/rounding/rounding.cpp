@@ -141,12 +141,12 @@ void write_rounding(const std::vector<RoundingResult>& results, const RoundingSe
       file.add({"rounding", r.model, "all", r.variant, "all", quantity, format_number(value), "1"}, settings.seed);
     };
     add("exact_checks", static_cast<double>(r.checks));
-    add("misses", static_cast<double>(r.misses));
-    add("float_misses", static_cast<double>(r.float_misses));
-    add("misses_without_slack", static_cast<double>(r.misses_as_computed));
+    add("missed_vertices", static_cast<double>(r.misses));
+    add("missed_vertices_in_float", static_cast<double>(r.float_misses));
+    add("missed_vertices_without_slack", static_cast<double>(r.misses_as_computed));
     add("inflation_median", r.inflation);
     add("float_inflation_median", r.float_inflation);
-    add("cost_ratio", r.cost);
+    add("time_ratio_to_without_slack", r.cost);
   }
   file.write(path);
 }

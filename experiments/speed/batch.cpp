@@ -145,15 +145,14 @@ std::vector<BatchSpeed> run_batch_speed(const AnimatedCharacter& c, const NamedP
 }
 
 void write_batch_speed(const std::vector<BatchSpeed>& results, const std::string& path) {
-  ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "operation", "method"});
+  ResultFile file({"experiment", "model", "pose", "variant", "level", "quantity", "value", "unit", "operation"});
   for (const BatchSpeed& r : results) {
     const auto add = [&](const std::string& quantity, double value, const char* unit) {
-      file.add(
-          {"batch_speed", r.model, r.pose, r.what + "_" + r.how, "all", quantity, format_number(value), unit, r.what, r.how});
+      file.add({"batch_speed", r.model, r.pose, r.how, "all", quantity, format_number(value), unit, r.what});
     };
     add("ns_per_" + r.item, r.ns, "ns");
-    add("ratio_to_scalar", r.ratio, "1");
-    if (r.to_linear > 0) add("ratio_to_linear", r.to_linear, "1");
+    add("time_ratio_to_scalar", r.ratio, "1");
+    if (r.to_linear > 0) add("time_ratio_to_linear", r.to_linear, "1");
   }
   file.write(path);
 }

@@ -69,7 +69,7 @@ void write_speed(const std::vector<SpeedResult>& results, const std::string& pat
   for (const SpeedResult& r : results) {
     const std::string level = r.level == 0 ? "all" : std::to_string(r.level);
     file.add({"speed", r.model, r.pose, r.variant, level, "ns_per_sphere", format_number(r.ns_per_sphere), "ns"});
-    file.add({"speed", r.model, r.pose, r.variant, level, "ratio_to_repaired", format_number(r.ratio_to_repaired), "1"});
+    file.add({"speed", r.model, r.pose, r.variant, level, "time_ratio_to_repaired", format_number(r.ratio_to_repaired), "1"});
   }
   file.write(path);
 }

@@ -136,8 +136,8 @@ void write_synthetic(const std::vector<SyntheticResult>& results, const Syntheti
     add("cases", static_cast<double>(r.cases), "1");
     add("undefined", static_cast<double>(r.undefined), "1");
     add("unbounded", static_cast<double>(r.unbounded), "1");
-    add("misses", static_cast<double>(r.misses), "1");
-    add("misses_beyond_tolerance", static_cast<double>(r.misses_beyond_tolerance), "1");
+    add("missed_cases", static_cast<double>(r.misses), "1");
+    add("missed_cases_beyond_tolerance", static_cast<double>(r.misses_beyond_tolerance), "1");
     add("worst_miss", r.worst_miss, "size of the coordinates");
     if (r.looseness_max > 0) {
       add("looseness_mean", r.looseness_mean, "1");

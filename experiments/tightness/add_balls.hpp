@@ -2,7 +2,7 @@
 // The balls of all nodes in one pose are counted in their levels.
 #pragma once
 
-#include <cmath>
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -10,13 +10,6 @@
 #include "experiments/tightness/misses.hpp"
 
 namespace refitlab {
-
-// Returns how far the farthest vertex of a node is outside its ball; it is at most 0 if none is.
-inline double excess(const Ball3<double>& ball, std::span<const int> vertices, std::span<const Point3> deformed) {
-  double far = 0;
-  for (const int v : vertices) far = std::max(far, squared_distance(deformed[static_cast<std::size_t>(v)], ball.center));
-  return std::sqrt(far) - ball.radius;
-}
 
 // Adds the balls of a pose to the levels. balls and optimal are by node. deformed has, by vertex, what the balls are to enclose.
 // It is empty if they need not enclose anything. have_slack says whether the balls allow for rounding; then none is allowed here.
@@ -37,7 +30,9 @@ inline void add_balls(const Character& c, std::span<const Ball3<double>> balls, 
     level.radius_sum += balls[n].radius;
     level.optimal_sum += optimal[n].radius;
     if (deformed.empty()) continue;
-    const double out = excess(balls[n], c.vertices[static_cast<int>(n)], deformed);
+    double out = 0;
+    for (const int v : c.vertices[static_cast<int>(n)])
+      out = std::max(out, excess(balls[n], deformed[static_cast<std::size_t>(v)]));
     if (out > tolerance) {
       ++level.misses;
       level.worst_miss = std::max(level.worst_miss, out);

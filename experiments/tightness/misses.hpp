@@ -15,6 +15,11 @@ inline constexpr double miss_tolerance = 1e-12;
 // Returns whether a ball is defined. One that is not a number or has a negative radius holds nothing.
 inline bool is_defined(const Ball3<double>& b) { return b.center.allFinite() && std::isfinite(b.radius) && b.radius >= 0; }
 
+// Returns how far a point is outside a ball. It is at most 0 if it is not.
+inline double excess(const Ball3<double>& ball, const Point3& point) {
+  return norm<double, 3>(point - ball.center) - ball.radius;
+}
+
 struct Misses {
   std::vector<bool> balls;    // by ball: undefined, or a vertex of its node is outside
   std::vector<bool> outside;  // by vertex: outside a ball of its node that is defined
@@ -38,7 +43,7 @@ inline Misses find_misses(const AnimatedCharacter& c, std::span<const int> nodes
     out.undefined += !defined;
     if (!defined) out.balls[b] = true;
     for (const int v : c.vertices[nodes[b]]) {
-      const double miss = defined ? norm<double, 3>(vertices[v] - balls[b].center) - balls[b].radius : 0;
+      const double miss = defined ? excess(balls[b], vertices[v]) : 0;
       if (!defined) out.without[v] = true;
       if (miss <= tolerance) continue;
       out.balls[b] = out.outside[v] = true;

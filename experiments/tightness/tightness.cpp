@@ -77,12 +77,12 @@ void write_tightness(const std::vector<TightnessResult>& results, const std::str
           add("radius_min", t.radius_min, "model unit");
           add("radius_avg", t.radius_avg(), "model unit");
           add("radius_max", t.radius_max, "model unit");
-          if (t.optimal_sum > 0) add("ratio_to_optimal", t.ratio_to_optimal(), "1");
+          if (t.optimal_sum > 0) add("radius_ratio_to_optimal", t.ratio_to_optimal(), "1");
         }
         add("nodes", static_cast<double>(t.nodes), "1");
         add("undefined", static_cast<double>(t.undefined), "1");
         if (variant == "reference") continue;  // it bounds the reference pose only
-        add("misses", static_cast<double>(t.misses), "1");
+        add("missed_balls", static_cast<double>(t.misses), "1");
         add("worst_miss", t.worst_miss, "model unit");
       }
   file.write(path);

@@ -173,10 +173,10 @@ void write_volumes(const VolumeResults& results, const std::string& path) {
                     r.pose_kind, std::to_string(r.poses)});
         };
         // A single point has no ratio.
-        if (level.optimal_sum > 0) add("ratio_to_optimal", level.ratio_to_optimal(), "1");
+        if (level.optimal_sum > 0) add("size_ratio_to_optimal", level.ratio_to_optimal(), "1");
         if (level.ball_sum > 0) add("size_ratio_to_ball", level.size_to_ball(), "1");
         if (level.solid_nodes > 0) add("volume_ratio_to_ball", level.volume_to_ball(), "1");
-        add("misses", static_cast<double>(level.misses), "1");
+        add("missed_volumes", static_cast<double>(level.misses), "1");
       }
   for (const VolumeCost& cost : results.costs) {
     const auto add = [&](const char* quantity, double value, const char* unit) {

@@ -324,7 +324,7 @@ void check_attained() {
   assert_held(body, skinned, false);
 }
 
-// Makes one triangle whose corners are all of the same joints, with equal weights.
+// Makes one triangle whose vertices are all of the same joints, with equal weights.
 SkinnedMesh even_triangle(int joints, const Point3& a, const Point3& b, const Point3& c) {
   SkinnedMesh mesh;
   mesh.name = "even";

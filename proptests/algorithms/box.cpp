@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/runtime/balls/box.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -185,7 +186,8 @@ PROPTEST(box) {
     auto box = Box<double>::empty();
     const bool was_empty = box.is_empty();
     for (const Point3& p : points) box.merge(p);
-    const Box<double> around = box;
+    const Box<double> around = box_around<double>(points);
+    if (!same(around, box) || !box_around<double>({}).is_empty()) return false;
     box.grow(0.5);
     return was_empty && !around.is_empty() && same(around, {{-4, -2, -6}, {2, 5, 3}}) &&
            same(box, {{-4.5, -2.5, -6.5}, {2.5, 5.5, 3.5}}) && same(by_rows<float>(points), box) &&
@@ -225,6 +227,21 @@ PROPTEST(box) {
         ok = ok && common_width(unit_box(axis, 0), small) == std::min(0.125, 1 - std::abs(by));
       }
     return Checked(ok, 27);
+  });
+  t.example("the greatest coordinate of a box is that of one of its walls, whatever its sign", {}, [] {
+    bool ok = true;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double by : {-5.0, -1.5, -0.5, 0.0, 0.5, 5.0})
+        ok = ok && unit_box(axis, by).greatest_coordinate() == std::max(std::abs(by), std::max(1.0, std::abs(1 + by)));
+    return Checked(ok, 18);
+  });
+  t.example("a box extends beyond another one by the most in any coordinate, and by less than nothing if it does not", {}, [] {
+    const Box<double> whole{Point3::Constant(-1), Point3::Constant(2)};
+    bool ok = beyond_box(whole, whole) == 0 && beyond_box(unit_box(0, 0), whole) == -1 && beyond_box(whole, unit_box(0, 0)) == 1;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double by : {-3.0, -1.5, -0.5, 0.25, 1.5, 3.0})
+        ok = ok && beyond_box(unit_box(axis, by), whole) == std::max(-1.0, by < 0 ? -1 - by : by - 1);
+    return ok;
   });
   boxes_in_blocks(t);
   flipped_boxes(t);

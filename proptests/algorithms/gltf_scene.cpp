@@ -616,7 +616,7 @@ void notes_of_models(Suite& t) {
                                        "to 0.005"),
         3, of_scene + of_rotation[0] + of_rotation[1]);
   });
-  t.example("a vertex that only triangles without three corners have is left out, and that is told", {}, [&] {
+  t.example("a vertex that only triangles without three different vertices have is left out, and that is told", {}, [&] {
     gen::RiggedGltf rig = gen::bending_tube(3);
     const Model expected = model_of_scene(gltf_scene(gen::built(rig).text_file(), "file.gltf"));
     gen::GltfMesh& mesh = rig.meshes[0];
@@ -630,7 +630,7 @@ void notes_of_models(Suite& t) {
                        kept[2] == 0 && read.sources[0].vertices.back() == -1 && expected.notes.empty() &&
                        read.notes.size() == 1 &&
                        read.notes[0] == "mesh 0: 2 of " + std::to_string(kept.size()) +
-                                            " triangles have two equal corners; they are left out, and so are vertices of no "
+                                            " triangles have two equal vertices; they are left out, and so are vertices of no "
                                             "other triangle",
                    1, read.notes.empty() ? "" : read.notes[0]);
   });

@@ -261,7 +261,7 @@ void vertices_that_are_merged_dropped_or_kept(Suite& t) {
     const std::size_t other_weights = load(seams).vertices.size();
     return Checked(welded == whole.positions.size() && other_weights == welded + 1, 2);
   });
-  t.example("a triangle with two corners in one vertex is dropped, and so is a vertex without a triangle", {}, [] {
+  t.example("a triangle with two equal vertices is dropped, and so is a vertex without a triangle", {}, [] {
     RiggedGltf scene = gen::bending_tube(3);
     scene.meshes[0].indices.insert(scene.meshes[0].indices.end(), {2, 2, 3});
     scene.meshes[0].positions.push_back({9, 9, 9});

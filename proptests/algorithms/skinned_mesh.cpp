@@ -45,8 +45,8 @@ std::vector<Broken> broken_models() {
   const Point3 some(0.1, 0, 0);
   return {
       {[](SkinnedMesh& m) { m.joints.clear(); }, "skeleton: no joints"},
-      {[](SkinnedMesh& m) { m.vertices.clear(); }, "mesh: no triangles, or none of three corners that differ"},
-      {[](SkinnedMesh& m) { m.triangles.clear(); }, "mesh: no triangles, or none of three corners that differ"},
+      {[](SkinnedMesh& m) { m.vertices.clear(); }, "mesh: no triangles, or none of three vertices that differ"},
+      {[](SkinnedMesh& m) { m.triangles.clear(); }, "mesh: no triangles, or none of three vertices that differ"},
       {[](SkinnedMesh& m) { m.influences.pop_back(); }, "mesh: not one list of influences a vertex"},
       {[](SkinnedMesh& m) { m.influences.push_back(m.influences[0]); }, "mesh: not one list of influences a vertex"},
       {[](SkinnedMesh& m) { m.joints[0].parent = 0; }, "joint 0 (joint 0): its parent does not come before it"},

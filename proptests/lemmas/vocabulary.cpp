@@ -87,7 +87,7 @@ void assert_interval_operations(const Make& make) {
 }
 
 // Returns 1 / 10^exponent.
-Rational power_of_ten(int exponent) {
+Rational inverse_power_of_ten(int exponent) {
   Rational x(1);
   for (int i = 0; i < exponent; ++i) x /= Rational(10);
   return x;
@@ -201,7 +201,7 @@ void numbers_are_lifted_and_compared(Suite& t) {
         RC_ASSERT(mpfr_cmp_q(&multiprecision.backend().data()->left, x.mpq()) <= 0 &&
                   mpfr_cmp_q(&multiprecision.backend().data()->right, x.mpq()) >= 0);
         RC_ASSERT(narrower.low >= narrow.low && narrower.high <= narrow.high);
-        const Rational least = power_of_ten(50);
+        const Rational least = inverse_power_of_ten(50);
         if (x != 0) {
           RC_ASSERT(less(multiprecision, lift<MultiprecisionInterval>(Rational(x + (x < 0 ? Rational(-x) : x) * least))) ==
                     Verdict::holds);

@@ -20,7 +20,7 @@ struct Posed {
 // Returns a query's pairs in increasing order.
 std::vector<refitlab::TrianglePair> sorted(std::vector<refitlab::TrianglePair> pairs);
 
-// Returns the pairs in increasing order, of triangles whose corners are among the points.
+// Returns the pairs in increasing order, of triangles whose vertices are among the points.
 using Triangles = std::vector<refitlab::Triangle>;
 std::vector<refitlab::TrianglePair> all_pairs(const Triangles& a, const std::vector<refitlab::Point3>& p, const Triangles& b,
                                               const std::vector<refitlab::Point3>& q);

@@ -18,7 +18,7 @@ class FileSkinning {
   explicit FileSkinning(const std::string& path);
   // Returns every triangle, node by node, depth first, in the space of the file's scene. Each corner is sum w G O v / sum w, with
   // G the global transform of the bone's node at that time (s) and O its offset matrix, or G v for a mesh without bones.
-  // Triangles of which two corners agree in position and weights are left out.
+  // Triangles of which two vertices agree in position and weights are left out.
   std::vector<std::array<aiVector3D, 3>> posed_triangles(unsigned clip, double time) const;
 
  private:

@@ -12,7 +12,7 @@ inline refitlab::Rational exact_product(const refitlab::Vec<refitlab::Rational, 
   return out;
 }
 
-// Says whether all corners are strictly on the two sides.
+// Says whether all vertices are strictly on the two sides.
 inline bool parts(const refitlab::PartingPlane& plane, const refitlab::TrianglePoints& a, const refitlab::TrianglePoints& b) {
   for (int i = 0; i < 3; ++i)
     if (exact_product(plane.normal, a[i]) >= plane.offset || exact_product(plane.normal, b[i]) <= plane.offset) return false;

@@ -7,7 +7,7 @@
 namespace proptests::oracle {
 
 // Says whether two triangles meet, which they do if and only if 0 is a convex combination of the nine differences of their
-// corners.
+// vertices.
 bool triangles_meet(const refitlab::TrianglePoints& a, const refitlab::TrianglePoints& b);
 
 }  // namespace proptests::oracle

@@ -2,7 +2,6 @@
 #include "algorithms/bake/over_time/animated_joints.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
 
@@ -24,23 +23,13 @@ AnimatedJoints::AnimatedJoints(const Model& model, const Animation& animation, b
     throw ModelError(model.name, "clip '" + animation.name + "'", "it has no keys, and nothing is known of it between poses");
   const std::vector<SceneNode>& nodes = model.skeleton.nodes;
   times_ = part_times(model.name, nodes, animation);
-  for (const MorphedMesh& mesh : model.morphs) {
-    const auto found = std::find_if(animation.weight_tracks.begin(), animation.weight_tracks.end(),
-                                    [&](const WeightTrack& track) { return track.node == mesh.node; });
-    weight_tracks_.push_back(found == animation.weight_tracks.end() ? nullptr : &*found);
-  }
+  for (const MorphedMesh& mesh : model.morphs) weight_tracks_.push_back(weight_track_of(mesh, animation));
   for (const double time : times_)
     if (jumps_at(animation, time)) jumps_.push_back(time);
   for (std::size_t i = 0; i + 1 < times_.size(); ++i) {
     auto motions = std::make_shared<JointMotions>();
-    for (std::size_t m = 0; m < model.morphs.size(); ++m) {
-      if (weight_tracks_[m]) {
-        motions->weights.push_back(weight_motions(*weight_tracks_[m], times_[i], times_[i + 1]));
-        continue;
-      }
-      auto& at_rest_ones = motions->weights.emplace_back();
-      for (const double w : model.morphs[m].weights) at_rest_ones.push_back(at_rest(std::abs(w)));
-    }
+    for (std::size_t m = 0; m < model.morphs.size(); ++m)
+      motions->weights.push_back(weight_motions(model.morphs[m], weight_tracks_[m], times_[i], times_[i + 1]));
     motions->links = link_motions(nodes, animation, times_[i], times_[i + 1]);
     motions->chains = chain_motions(nodes, motions->links);
     motions_.push_back(std::move(motions));
@@ -92,12 +81,8 @@ std::shared_ptr<const PosedJoints> AnimatedJoints::at(double time, Side side) co
 
 PosedJoints AnimatedJoints::posed(double time, Side side) const {
   PosedJoints posed{skin_matrices(model_.skeleton, animation_, time, side), {}, {}};
-  for (std::size_t m = 0; m < weight_tracks_.size(); ++m) {
-    const std::vector<double>& still = model_.morphs[m].weights;
-    posed.weights.push_back(weight_tracks_[m] ? weights_at(*weight_tracks_[m], time, side)
-                                              : Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
-                                                    still.data(), static_cast<Eigen::Index>(still.size()))));
-  }
+  for (std::size_t m = 0; m < weight_tracks_.size(); ++m)
+    posed.weights.push_back(weights_at(model_.morphs[m], weight_tracks_[m], time, side));
   check_finite(*this, posed, std::to_string(time) + " s");
   if (needs_pose_) posed.pose = pose(model_.skeleton, animation_, time, side).pose;
   return posed;

@@ -136,11 +136,7 @@ FadingClip::FadingClip(const Model& model, const Animation& animation, const Ani
   times_ = part_times(model.name, model.skeleton.nodes, animation_);
   for (const double time : times_)
     if (jumps_at(animation_, time)) jumps_.push_back(time);
-  for (const MorphedMesh& mesh : model.morphs) {
-    const auto found = std::find_if(animation_.weight_tracks.begin(), animation_.weight_tracks.end(),
-                                    [&](const WeightTrack& track) { return track.node == mesh.node; });
-    weight_tracks_.push_back(found == animation_.weight_tracks.end() ? nullptr : &*found);
-  }
+  for (const MorphedMesh& mesh : model.morphs) weight_tracks_.push_back(weight_track_of(mesh, animation_));
 }
 
 std::shared_ptr<const FadingClip::Motions> FadingClip::motions(int first_part, int last_part) const {
@@ -159,14 +155,8 @@ FadingClip::Motions FadingClip::of_part(int part) const {
   const double start = times_[part], end = times_[part + 1];
   Motions out;
   for (const NodeTrack& track : animation_.tracks) out.tracks.push_back(track_motion(track, start, end));
-  for (std::size_t m = 0; m < weight_tracks_.size(); ++m) {
-    if (weight_tracks_[m]) {
-      out.weights.push_back(weight_motions(*weight_tracks_[m], start, end));
-      continue;
-    }
-    auto& still = out.weights.emplace_back();
-    for (const double w : model_.morphs[m].weights) still.push_back(at_rest(std::abs(w)));
-  }
+  for (std::size_t m = 0; m < weight_tracks_.size(); ++m)
+    out.weights.push_back(weight_motions(model_.morphs[m], weight_tracks_[m], start, end));
   if (needs_stretches_) out.stretches = stretches(model_.skeleton.nodes, animation_, start, end);
   out.rounding = growth_of_rounding(animation_, start, end);
   return out;
@@ -192,9 +182,7 @@ FadingClip::Motions FadingClip::of_parts(int first, int last) const {
 }
 
 Eigen::VectorXd FadingClip::weights(std::size_t mesh, double time, Side side) const {
-  if (weight_tracks_[mesh]) return weights_at(*weight_tracks_[mesh], time, side);
-  const std::vector<double>& still = model_.morphs[mesh].weights;
-  return Eigen::Map<const Eigen::VectorXd>(still.data(), static_cast<Eigen::Index>(still.size()));
+  return weights_at(model_.morphs[mesh], weight_tracks_[mesh], time, side);
 }
 
 ParameterRange FadingClip::whole() const { return {0, static_cast<int>(times_.size()) - 2, times_.front(), times_.back()}; }

@@ -62,8 +62,8 @@ std::vector<std::vector<int>> meshlets(const Model& model, const std::vector<int
   const auto triangle_limit = static_cast<std::size_t>(most_triangles);
   std::vector<meshopt_Meshlet> found(meshopt_buildMeshletsBound(indices.size(), most_meshlet_vertices, triangle_limit));
   std::vector<unsigned> vertices(found.size() * most_meshlet_vertices);
-  std::vector<unsigned char> weight_vertices(found.size() * triangle_limit * 3);
-  found.resize(meshopt_buildMeshlets(found.data(), vertices.data(), weight_vertices.data(), indices.data(), indices.size(),
+  std::vector<unsigned char> local_vertices(found.size() * triangle_limit * 3);
+  found.resize(meshopt_buildMeshlets(found.data(), vertices.data(), local_vertices.data(), indices.data(), indices.size(),
                                      positions.data(), model.vertices.size(), 3 * sizeof(float), most_meshlet_vertices,
                                      triangle_limit, 0));
   std::vector<std::vector<int>> out;
@@ -72,7 +72,7 @@ std::vector<std::vector<int>> meshlets(const Model& model, const std::vector<int
     for (unsigned t = 0; t < meshlet.triangle_count; ++t) {
       Triangle key;
       for (int k = 0; k < 3; ++k)
-        key[k] = static_cast<int>(vertices[meshlet.vertex_offset + weight_vertices[meshlet.triangle_offset + 3 * t + k]]);
+        key[k] = static_cast<int>(vertices[meshlet.vertex_offset + local_vertices[meshlet.triangle_offset + 3 * t + k]]);
       std::rotate(key.begin(), std::min_element(key.begin(), key.end()), key.end());
       auto& left = triangle_of.at(key);
       list.push_back(left.back());
@@ -104,8 +104,7 @@ std::vector<Point3> directions_of_dop(int dop) {
 BoundedPart outward(const BoundOverTime& bound, int joints, double renderer_rounding, const std::string& file,
                     const std::string& thing) {
   Box<double> box = box_of(bound.slabs);
-  double farthest = 0;
-  for (int i = 0; i < 3; ++i) farthest = std::max({farthest, std::abs(box.low[i]), std::abs(box.high[i])});
+  const double farthest = box.greatest_coordinate();
   const double more = renderer_rounding * bound.errors.per_rounding +
                       std::ldexp(joints > 1 ? joints : 0, -weight_bits) * bound.errors.per_weight +
                       bound.errors.of_lost_influences;

@@ -229,6 +229,14 @@ std::vector<Motion<double>> weight_motions(const WeightTrack& track, double star
   return out;
 }
 
+std::vector<Motion<double>> weight_motions(const MorphedMesh& mesh, const WeightTrack* track, double start, double end) {
+  const DefaultFloatEnvironment environment;
+  if (track) return weight_motions(*track, start, end);
+  std::vector<Motion<double>> out;
+  for (const double w : mesh.weights) out.push_back(at_rest(std::abs(w)));
+  return out;
+}
+
 std::vector<Stretch> stretches(const std::vector<SceneNode>& nodes, const Animation& animation, double start, double end) {
   const DefaultFloatEnvironment environment;
   std::vector<Stretch> out;

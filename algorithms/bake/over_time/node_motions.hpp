@@ -39,6 +39,9 @@ std::vector<ChainMotion<double>> link_motions(const std::vector<SceneNode>& node
 // Returns, by target, the motion of the weights of a track's morph targets from start to end, likewise. Sizes have no unit.
 std::vector<Motion<double>> weight_motions(const WeightTrack& track, double start, double end);
 
+// Returns the same of a mesh's weights, which stay if their track is nullptr.
+std::vector<Motion<double>> weight_motions(const MorphedMesh& mesh, const WeightTrack* track, double start, double end);
+
 // Returns, by node, the motion of each node against the scene, from that of the nodes against their parents (c4_chain_motion).
 std::vector<ChainMotion<double>> chain_motions(const std::vector<SceneNode>& nodes,
                                                const std::vector<ChainMotion<double>>& links);

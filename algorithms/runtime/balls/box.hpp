@@ -6,6 +6,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <type_traits>
 
 #include "algorithms/runtime/packs/row.hpp"
@@ -44,6 +45,12 @@ struct Box {
   Point edges() const { return high - low; }
   // Returns the sum of the three edges.
   S extent() const { return (high[0] - low[0]) + (high[1] - low[1]) + (high[2] - low[2]); }
+  // Returns the greatest absolute coordinate of its points.
+  S greatest_coordinate() const {
+    S greatest(0);
+    for (int i = 0; i < 3; ++i) greatest = max_of<S>(greatest, max_of<S>(absolute<S>(low[i]), absolute<S>(high[i])));
+    return greatest;
+  }
 
  private:
   static constexpr bool is_row = !std::is_same_v<Point, Vec<S, 3>>;
@@ -67,6 +74,15 @@ struct Box {
 template <class S>
 using RowBox = Box<S, Row<S, 4>>;
 
+// Returns the box around points. Around none it is empty.
+template <class S>
+Box<S> box_around(std::span<const Vec<S, 3>> points) {
+  if (points.empty()) return Box<S>::empty();
+  Box<S> box{points[0], points[0]};
+  for (const Vec<S, 3>& p : points) box.merge(p);
+  return box;
+}
+
 // Returns whether a coordinate separates the boxes, as a bool or a mask of lanes. A NaN separates nothing.
 template <class S>
 auto are_apart(const Box<S>& a, const Box<S>& b) {
@@ -81,6 +97,14 @@ S common_width(const Box<S>& a, const Box<S>& b) {
   S width = S(infinite);
   for (int i = 0; i < 3; ++i) width = min_of<S>(width, min_of<S>(a.high[i], b.high[i]) - max_of<S>(a.low[i], b.low[i]));
   return width;
+}
+
+// Returns the length by which a box extends beyond another one, at most in any coordinate. It is less than 0 if it does not.
+template <class S>
+S beyond_box(const Box<S>& box, const Box<S>& other) {
+  S most = other.low[0] - box.low[0];
+  for (int i = 0; i < 3; ++i) most = max_of<S>(most, max_of<S>(other.low[i] - box.low[i], box.high[i] - other.high[i]));
+  return most;
 }
 
 // Chooses between two boxes lane by lane.

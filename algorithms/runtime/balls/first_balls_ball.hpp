@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "algorithms/runtime/balls/ball_about.hpp"
 #include "algorithms/runtime/balls/three_points_ball.hpp"
 
 namespace refitlab {
@@ -34,9 +35,7 @@ inline std::optional<Ball3<double>> ball_up_to(const Vec<double, 3>& center, dou
   }
   if (!(least >= 0)) return std::nullopt;
   if (least == greatest) return Ball3<double>{center, root(squared) + least};
-  double reach = 0;
-  for (const auto& b : balls) reach = max_of(reach, norm<double, 3>(b.center - center) + b.radius);
-  return Ball3<double>{center, reach};
+  return ball_about<double, 3>(center, balls);
 }
 
 // Takes the smallest ball of the first two balls, or of the first three if these have one radius. No ball around all balls is

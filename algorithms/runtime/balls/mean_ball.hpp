@@ -6,6 +6,7 @@
 
 #include <span>
 
+#include "algorithms/runtime/balls/ball_about.hpp"
 #include "lemmas/vocabulary/sphere.hpp"
 
 namespace refitlab {
@@ -39,10 +40,7 @@ template <class S, int D>
 Ball<S, D> mean_ball(std::span<const Ball<S, D>> balls) {
   Vec<S, D> sum = balls[0].center;
   for (const auto& b : balls.subspan(1)) sum = sum + b.center;
-  const Vec<S, D> center = sum / S(static_cast<double>(balls.size()));
-  S radius = norm<S, D>(balls[0].center - center) + balls[0].radius;
-  for (const auto& b : balls.subspan(1)) radius = max_of(radius, S(norm<S, D>(b.center - center) + b.radius));
-  return {center, radius};
+  return ball_about<S, D>(sum / S(static_cast<double>(balls.size())), balls);
 }
 
 }  // namespace refitlab

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "algorithms/runtime/balls/ball_about.hpp"
 #include "algorithms/runtime/balls/scaling.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
@@ -24,10 +25,6 @@ std::size_t farthest_from(const Vec<double, 3>& center, Balls balls) {
   for (std::size_t i = 1; i < balls.size(); ++i)
     if (reach(center, balls[i]) > reach(center, balls[farthest])) farthest = i;
   return farthest;
-}
-
-Ball3<double> ball_about(const Vec<double, 3>& center, Balls balls) {
-  return {center, reach(center, balls[farthest_from(center, balls)])};
 }
 
 // Returns the greatest radius or coordinate relative to the first center.
@@ -76,7 +73,7 @@ Ball3<double> smallest_by_trial(Balls balls, std::vector<Ball3<double>>& support
     centers.clear();
     add_equal_reach_centers(some, centers);
     for (const auto& center : centers)
-      if (const Ball3<double> ball = ball_about(center, balls); ball.radius < best.radius) best = ball, support = some;
+      if (const Ball3<double> ball = ball_about<double, 3>(center, balls); ball.radius < best.radius) best = ball, support = some;
   }
   return best;
 }
@@ -95,7 +92,7 @@ Ball3<double> smallest_ball_of_balls(Balls balls) {
       of_size_one.push_back(
           {times_power_of_two(Vec<double, 3>(b.center - balls[0].center), -scaling), std::scalbn(b.radius, -scaling)});
     const Vec<double, 3> center = smallest_ball_of_balls(of_size_one).center;
-    return ball_about(balls[0].center + times_power_of_two(center, scaling), balls);
+    return ball_about<double, 3>(balls[0].center + times_power_of_two(center, scaling), balls);
   }
   // The ball of a few grows by the ball that is farthest from it, until there is none outside. Each radius is greater than the
   // last, so no support comes twice. If rounding hides the growth, the search ends too.

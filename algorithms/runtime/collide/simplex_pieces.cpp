@@ -19,12 +19,6 @@ Ball3<double> float_ball(const std::vector<Point3>& points) {
   return {center, float_above(radius * (1 + 1e-15))};
 }
 
-Box<double> box_of(const std::vector<Point3>& points) {
-  auto box = Box<double>::empty();
-  for (const Point3& p : points) box.merge(p);
-  return box;
-}
-
 SimplexPiece piece_of(const Character& c, int joint_set, const std::vector<int>& vertices, int target) {
   const auto first = c.sets.weights(vertices[0]);
   std::vector<Point3> points;
@@ -35,7 +29,7 @@ SimplexPiece piece_of(const Character& c, int joint_set, const std::vector<int>&
   }
   double rest = 1;
   for (const double l : low) rest -= l;
-  return {joint_set, float_ball(points), box_of(points), low, std::max(rest, 0.0), target};
+  return {joint_set, float_ball(points), box_around<double>(points), low, std::max(rest, 0.0), target};
 }
 
 }  // namespace

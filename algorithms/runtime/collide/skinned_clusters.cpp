@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/skinned_clusters.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -15,9 +14,7 @@ namespace {
 constexpr float unlimited = std::numeric_limits<float>::infinity();  // a slack where floats do not hold a cluster
 
 // Returns four roundings of the greatest coordinate in a box.
-float roundings(const Box<float>& box) {
-  return four_roundings * std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-}
+float roundings(const Box<float>& box) { return four_roundings * box.greatest_coordinate(); }
 
 // Returns the joint-sets in the order of the clusters, so that those of neighbours are near each other.
 std::vector<int> by_clusters(const ClusterTree& tree) {

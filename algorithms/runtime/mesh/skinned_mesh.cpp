@@ -48,7 +48,7 @@ void validate(const SkinnedMesh& m) {
   const DefaultFloatEnvironment environment;
   if (m.joints.empty()) throw ModelError(m.name, "skeleton", "no joints");
   if (m.vertices.empty() || m.triangles.empty())
-    throw ModelError(m.name, "mesh", "no triangles, or none of three corners that differ");
+    throw ModelError(m.name, "mesh", "no triangles, or none of three vertices that differ");
   if (m.influences.size() != m.vertices.size()) throw ModelError(m.name, "mesh", "not one list of influences a vertex");
   for (std::size_t j = 0; j < m.joints.size(); ++j) {
     const std::string thing = "joint " + std::to_string(j) + " (" + m.joints[j].name + ")";
