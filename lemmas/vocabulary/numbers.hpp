@@ -96,7 +96,7 @@ bool prefer_less(const S& a, const S& b) {
 // get an answer for each lane.
 template <class S>
 auto certainly_less(const S& a, const S& b) {
-  if constexpr (HasLanes<S>) return a < b;
+  if constexpr (HasLanes<S>) return b > a;
   else return less(a, b) == Verdict::holds;
 }
 

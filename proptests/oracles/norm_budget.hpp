@@ -232,6 +232,7 @@ namespace refitlab {
 template <int level>
 struct NumberTraits<proptests::oracle::NormBudget<level>> {
   using S = proptests::oracle::NormBudget<level>;
+  using Lane = float;  // as kernels have it
   static S square(const S& x) { return x * x; }
   static S sqrt(const S& x) { return S::root_of(x); }
   static S max(const S& a, const S& b) { return S::greater_of(a, b); }

@@ -14,7 +14,7 @@
 
 namespace refitlab {
 
-// Bounds the rotations for one joint-set's weights (lines 5 to 13). Line 13 is Lemma 4, of the cap about the center of the blends at
+// Bounds the rotations for the weights of a hull (lines 5 to 13). Line 13 is Lemma 4, of the cap about the center of the blends at
 // the weight vertices (rotation_bound). If a blend may vanish, the bound allows all rotations. blend(k) returns the blended quaternion
 // at weight vertex k.
 template <class Policy, class S, class Blend>
@@ -31,6 +31,14 @@ RotationBound<S> bound_weight_vertex_rotations(std::size_t weight_vertex_count, 
   return bound_rotations(points, Policy::template center_of_points<S, 4>(points));
 }
 
+// Does the same for the weights of one joint-set of a node.
+template <class Policy, class S>
+RotationBound<S> bound_joint_set_rotations(const RefitNode<S>& node, const NodePiece& set, std::vector<Quaternion<S>>& unit) {
+  const PaletteEntry<S> palette = node.palette[set.joint_set];
+  const auto blend = [&](std::size_t k) { return blend_quaternion(palette, node.weight_vertex(set, static_cast<int>(k))); };
+  return bound_weight_vertex_rotations<Policy, S>(set.weight_vertex_count, blend, unit);
+}
+
 // Returns a ball around the node's vertices as its palette skins them, in model space, without a slack for rounding. Policy makes
 // the enclosing balls (ball_policy.hpp). lists is kept between calls.
 template <class Policy, class S>
@@ -38,8 +46,7 @@ Ball3<S> refit_algorithm1_repaired(const RefitNode<S>& node, RefitLists<S>& list
   lists.balls.clear();
   for (const NodePiece& set : node.pieces) {
     const PaletteEntry<S> palette = node.palette[set.joint_set];
-    const auto blend = [&](std::size_t k) { return blend_quaternion(palette, node.weight_vertex(set, static_cast<int>(k))); };
-    const RotationBound<S> bound = bound_weight_vertex_rotations<Policy, S>(set.weight_vertex_count, blend, lists.quaternions);
+    const RotationBound<S> bound = bound_joint_set_rotations<Policy>(node, set, lists.quaternions);
     const Vec<S, 3> u = node.reference.center - palette.rotation_center;
     const Ball3<S> turned = rotated_ball(bound, u);  // line 14, and line 15: Lemma 5, repaired
     for (int k = 0; k < set.weight_vertex_count; ++k)
