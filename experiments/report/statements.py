@@ -43,7 +43,7 @@ def users(root, stem):
     name."""
     lemma = root / "lemmas" / f"{stem}.hpp"
     if not lemma.exists():
-        found = sorted(p for name in {stem, stem.removeprefix("refit_")} for p in (root / "algorithms").rglob(f"{name}.hpp"))
+        found = sorted((root / "algorithms").rglob(f"{stem}.hpp"))
         if not found:
             raise ResultError(f"{root / 'algorithms'}: there is no program of the name {stem}, and no lemma either")
         return [str(p.relative_to(root)) for p in found], []
