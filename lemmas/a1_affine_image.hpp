@@ -188,6 +188,6 @@ Verdict ball_is_carried_rigidly(const AffineMap<S>& map, const SquaredBall<S, 3>
 // Sources: none.
 // Used by: a2_two_phase_skinning, a3_morph_displacement; algorithms/bake/over_time/node_motions.cpp,
 // algorithms/certificate/bound.cpp, algorithms/runtime/collide/affine_boxes.cpp,
-// algorithms/runtime/collide/motion_bound_piece_kernel.cpp, algorithms/runtime/refit/linear.hpp,
+// algorithms/runtime/collide/motion_bound_piece_kernel.cpp, algorithms/runtime/refit/refit_linear.hpp,
 // algorithms/runtime/skinning/palette_rounding.hpp, experiments/drawings/motion.cpp,
 // experiments/engines/box_program.cpp, experiments/engines/joint_kernel.cpp.

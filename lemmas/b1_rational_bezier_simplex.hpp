@@ -257,5 +257,5 @@ BezierSimplex<S> bezier_simplex(const Blend& blend, std::span<const S> u) {
 // 2008].
 // Used by: b2_control_hull_encloses, b3_subdivision, b5_rotation_axis, b6_dual_quaternion_ball, b7_motion_bound;
 // algorithms/certificate/bound.cpp, algorithms/runtime/collide/box_lanes.hpp,
-// algorithms/runtime/refit/control_hull.hpp, algorithms/runtime/refit/dual_quaternion.hpp,
+// algorithms/runtime/refit/control_hull.hpp, algorithms/runtime/refit/refit_dual_quaternion.hpp,
 // experiments/drawings/control_hulls.cpp.

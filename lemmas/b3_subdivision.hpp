@@ -285,4 +285,4 @@ PositiveHalves<S> halving_makes_positive(const Quaternion<S>& p, const Quaternio
 // Sources: de Casteljau's algorithm and its quadratic rate [Farin, "Curves and Surfaces for CAGD"]; the constants are
 // ours.
 // Used by: algorithms/certificate/bound.cpp, algorithms/runtime/refit/control_hull.hpp,
-// algorithms/runtime/refit/dual_quaternion.hpp, experiments/drawings/control_hulls.cpp.
+// algorithms/runtime/refit/refit_dual_quaternion.hpp, experiments/drawings/control_hulls.cpp.

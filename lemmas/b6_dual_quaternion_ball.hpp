@@ -119,5 +119,5 @@ Verdict reach_is_distance(const DualQuaternionBlend<S>& blend, std::size_t k, co
 }  // namespace refitlab
 
 // Sources: none; for the blending [Kavan, Collins, Zara, O'Sullivan 2007, "Skinning with dual quaternions"].
-// Used by: algorithms/certificate/bound.cpp, algorithms/runtime/refit/dual_quaternion.hpp,
+// Used by: algorithms/certificate/bound.cpp, algorithms/runtime/refit/refit_dual_quaternion.hpp,
 // experiments/drawings/control_hulls.cpp.

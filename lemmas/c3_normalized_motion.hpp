@@ -7,7 +7,7 @@
 // Both are sharp at a moment with ||p|| = m, but for (i) where A > 0. For m:
 // (iii) if p = sum w_k q_k with w of W_n, all ||q_k||^2 >= d, which is 1 for unit quaternions, and all (q_k, q_l) >= c for
 //   k != l, where c <= d, then ||p||^2 >= c + (d - c) / n;
-//   For given w and all (q_k, q_l) >= c_kl, ||p||^2 >= sum w_k^2 + 2 sum_{k<l} w_k w_l c_kl;
+//   For given w, ||q_k|| >= 1 and all (q_k, q_l) >= c_kl, ||p||^2 >= sum w_k^2 + 2 sum_{k<l} w_k w_l c_kl;
 // (iv) if p is a convex combination of p_k, and a any vector but 0, then ||p|| >= min_k (p_k, a) / ||a||.
 // Where none of them is positive p may vanish, and there is no bound: near 0 a blend turns as fast as it wants to.
 //

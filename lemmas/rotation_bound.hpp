@@ -38,7 +38,7 @@ RotationBound<S> all_rotations() {
   return {identity_quaternion<S>(), S(0), S(1)};
 }
 
-// Returns the bound of the cap about the apex with s^2 < 1/2.
+// Returns the bound of the cap about the apex with s^2 < 1/2. Of s^2 = 1/2 it is all rotations.
 template <class S>
 RotationBound<S> bound_of_cap(const Quaternion<S>& apex, const S& squared_half_chord) {
   const CapBallRatios<S> ratios = cap_ball_ratios<S>(rotated_cap_versine(squared_half_chord));
@@ -53,7 +53,8 @@ S squared_half_chord(std::span<const Quaternion<S>> unit, const Quaternion<S>& a
   return farthest / S(4);
 }
 
-// unit has quaternions of unit length. direction has any length, and should be in their middle. If the cap would be a
+// unit has quaternions of unit length, and is not empty. direction should be in their middle, and has any length whose square is in
+// the range of S. If the cap would be a
 // half-sphere of S_3 or more, or if direction cannot be told from zero, the bound allows all rotations, as bound_of_cap does of a
 // half-sphere. Packs take the same steps in each lane.
 template <class S>

@@ -61,7 +61,7 @@ proptests::SuiteResult check_errors(const std::vector<std::string>& stems, const
   std::map<std::string, std::set<std::string>> messages;
   for (std::size_t k = 0; k < stems.size(); ++k) messages[stems[k]] = results[k].messages;
   auto& session = proptests::Session::get();
-  proptests::Suite("errors").example("the suites that ran provoked every error that is listed of them", {}, [&] {
+  proptests::Suite("error_list").example("the suites that ran provoked every error that is listed of them", {}, [&] {
     std::string unseen;
     const auto list = proptests::read_error_list("proptests/errors.md");
     for (const auto& error : proptests::unseen_errors(list, {stems.begin(), stems.end()}, messages)) unseen += error + "; ";

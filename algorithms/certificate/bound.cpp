@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
-#include "algorithms/runtime/refit/dual_quaternion.hpp"
+#include "algorithms/runtime/refit/refit_dual_quaternion.hpp"
 #include "algorithms/runtime/skinning/convert_palette.hpp"
 #include "lemmas/a1_affine_image.hpp"
 #include "lemmas/b1_rational_bezier_simplex.hpp"

@@ -39,7 +39,7 @@ class Statement:
 
 def program_of(root, stem):
     """Returns the files of the program that a statement without a lemma is about. Raises ResultError if there is none of this name."""
-    found = sorted(p for name in {stem, stem.removeprefix("refit_")} for p in (root / "algorithms").rglob(f"{name}.hpp"))
+    found = sorted((root / "algorithms").rglob(f"{stem}.hpp"))
     if not found:
         raise ResultError(f"{root / 'algorithms'}: there is no program of the name {stem}, and no lemma either")
     return [str(p.relative_to(root)) for p in found]

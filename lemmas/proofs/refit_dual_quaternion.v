@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: MIT *)
-(* algorithms/runtime/refit/dual_quaternion.hpp: refitting for dual quaternion skinning. *)
+(* algorithms/runtime/refit/refit_dual_quaternion.hpp: refitting for dual quaternion skinning. *)
 From Coq Require Import List Reals Lra Psatz Lia.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
 Require Import Refitlab.b1_rational_bezier_simplex Refitlab.b2_control_hull_encloses Refitlab.b3_subdivision.

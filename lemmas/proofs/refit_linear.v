@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: MIT *)
-(* algorithms/runtime/refit/linear.hpp: refitting for linear blend skinning [Kavan and Zara 2005a]. *)
+(* algorithms/runtime/refit/refit_linear.hpp: refitting for linear blend skinning [Kavan and Zara 2005a]. *)
 From Coq Require Import List Reals Lra Psatz.
 Require Import Refitlab.theory.linear Refitlab.theory.euclid Refitlab.theory.convex Refitlab.theory.quaternion.
 Require Import Refitlab.a1_affine_image Refitlab.s41_weight_vertices_span Refitlab.s42_linear_part_hull Refitlab.s44_joint_sets Refitlab.algorithm1_repaired.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Tests what queries of collisions and refits take from the heap: nothing but their answers. One that runs out of memory leaves
+// bodies as they were.
 #include "proptests/oracles/allocations.hpp"
 
 #include <algorithm>

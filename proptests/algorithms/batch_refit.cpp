@@ -8,7 +8,7 @@
 #include "algorithms/runtime/batch/single_precision.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/refit/algorithm1_repaired.hpp"
-#include "algorithms/runtime/refit/linear.hpp"
+#include "algorithms/runtime/refit/refit_linear.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/verification/exact_skin.hpp"
 #include "experiments/procedural/procedural.hpp"

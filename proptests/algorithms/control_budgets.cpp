@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the budgets of rounding of control balls and of affine joints: the rates of palette_rounding.hpp are at least what the
 // refits' own templates can lose. It works as float_budgets.cpp does, in u of any type; terms of higher order are those of float.
-#include "algorithms/runtime/refit/dual_quaternion.hpp"
-#include "algorithms/runtime/refit/linear.hpp"
+#include "algorithms/runtime/refit/refit_dual_quaternion.hpp"
+#include "algorithms/runtime/refit/refit_linear.hpp"
 #include "algorithms/runtime/skinning/palette_rounding.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/cap_budget.hpp"

@@ -13,7 +13,7 @@
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/balls/mean_ball.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
-#include "algorithms/runtime/refit/dual_quaternion.hpp"
+#include "algorithms/runtime/refit/refit_dual_quaternion.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/animated_character.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests refitting for linear blending.
-#include "algorithms/runtime/refit/linear.hpp"
+#include "algorithms/runtime/refit/refit_linear.hpp"
+
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/refits/refit_ladder.hpp"

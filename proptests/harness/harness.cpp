@@ -60,7 +60,7 @@ std::string complaint_about_shares(const Outcome& outcome) {
         found == outcome.tags.end() ? 0 : static_cast<double>(found->second) / static_cast<double>(outcome.cases);
     if (share < wanted) return complaint("'" + tag + "'", share, wanted);
   }
-  return "";
+  return options.complaint_about_labels ? options.complaint_about_labels(outcome.tags) : "";
 }
 
 }  // namespace

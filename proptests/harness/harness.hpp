@@ -39,10 +39,12 @@ struct Options {
   std::string hypothesis = "";
   // For each label of RC_TAG, the test fails if the share of cases with it is less.
   std::map<std::string, double> tags_at_least = {};
+  // Returns what else is wrong with how many cases had each label, if anything. Then the test fails.
+  std::function<std::string(const std::map<std::string, long>& labels)> complaint_about_labels = {};
 };
 
 struct Outcome {
-  // This is the file under lemmas/ or algorithms/ that is tested.
+  // This is the suite: the file that is tested, or a whole area.
   std::string stem;
   std::string sentence;  // the property, an English sentence
   std::string kind;      // "holds", "refuted", "example"

@@ -237,30 +237,33 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  needs_each_part(t, "a hull needs each part of the hypotheses", 0.2, [] {
-    const auto turn = *gen::unit_quaternion();
-    AffineMap<Rational> map;
-    for (int j = 0; j < 3; ++j) map.columns[static_cast<std::size_t>(j)] = rotate<Rational>(turn, RationalVec<3>::Unit(j));
-    map.offset = RationalVec<3>(1000, 0, 0);
-    const std::vector<RationalVec<3>> points{*gen::rational_vector<3>(), *gen::rational_vector<3>()};
-    std::vector<Rational> w = *gen::convex_weights(2);
-    RationalVec<3> beside = *gen::nonzero_vector<3>();
-    Rational squared = squared_norm(beside);
-    std::string part = "what is beside";
-    bool asked = true;
-    if (*rc::gen::arbitrary<bool>()) {
-      const auto broken = gen::broken_weights(w);
-      part = broken.part, w = broken.weights;
-      // A sum of 1 is enough for the identity, not for the hull.
-      asked = part.find("sum") != std::string::npos;
-      squared = Rational(0), beside = RationalVec<3>::Zero();
-    } else {
-      beside *= Rational(1) + *gen::excess();
-    }
-    const std::span<const Rational> u(w);
-    return Weakening{part, is_near_points(u, beside, squared),
-                     asked ? std::optional(hull_is_carried<Rational>(map, points, u, beside, squared)) : std::nullopt};
-  });
+  needs_each_part(
+      t, "a hull needs each part of the hypotheses", {.parts = 5, .share = 0.2},
+      [] {
+        const auto turn = *gen::unit_quaternion();
+        AffineMap<Rational> map;
+        for (int j = 0; j < 3; ++j) map.columns[static_cast<std::size_t>(j)] = rotate<Rational>(turn, RationalVec<3>::Unit(j));
+        map.offset = RationalVec<3>(1000, 0, 0);
+        const std::vector<RationalVec<3>> points{*gen::rational_vector<3>(), *gen::rational_vector<3>()};
+        std::vector<Rational> w = *gen::convex_weights(2);
+        RationalVec<3> beside = *gen::nonzero_vector<3>();
+        Rational squared = squared_norm(beside);
+        std::string part = "what is beside";
+        bool asked = true;
+        if (*rc::gen::arbitrary<bool>()) {
+          const auto broken = gen::broken_weights(w);
+          part = broken.part, w = broken.weights;
+          // A sum of 1 is enough for the identity, not for the hull.
+          asked = part.find("sum") != std::string::npos;
+          squared = Rational(0), beside = RationalVec<3>::Zero();
+        } else {
+          beside *= Rational(1) + *gen::excess();
+        }
+        const std::span<const Rational> u(w);
+        return Weakening{part, is_near_points(u, beside, squared),
+                         asked ? std::optional(hull_is_carried<Rational>(map, points, u, beside, squared)) : std::nullopt};
+      },
+      600);
 }
 
 void pinned_cases(Suite& t) {

@@ -117,30 +117,33 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  needs_each_part(t, "two phases need each part of the hypotheses", 0.02, [] {
-    Scaled c;
-    std::string part;
-    const RationalVec<3> moved = linear_blend<Rational>(c.scales, c.weights, c.vertex);
-    bool asked = true;
-    if (*rc::gen::arbitrary<bool>()) {
-      part = "a scaled vertex";
-      c.around = {moved, Rational(0)};
-      const std::size_t k = gen::any_place(c.scales.size());
-      c.scales[k].offset += *gen::nonzero_vector<3>();
-      if (apply(c.scales[k], c.vertex) == moved) c.scales[k].offset[0] += Rational(1);
-    } else {
-      const auto broken = gen::broken_weights(c.weights);
-      part = broken.part, c.weights = broken.weights;
-      asked = part.find("more") != std::string::npos;
-      Rational farthest(0);  // This is as small as it may be.
-      c.around.center = RationalVec<3>::Zero();
-      for (const auto& s : c.scales) farthest = std::max(farthest, squared_norm(apply(s, c.vertex)));
-      c.around.squared_radius = farthest;
-    }
-    return Weakening{
-        part, two_phase_hypotheses<Rational>(c.scales, c.around, c.vertex, c.weights),
-        asked ? std::optional(stays_in_scaled_ball<Rational>(c.scales, c.around, c.vertex, c.weights).verdict) : std::nullopt};
-  });
+  needs_each_part(
+      t, "two phases need each part of the hypotheses", {.parts = 6, .share = 0.2},
+      [] {
+        Scaled c;
+        std::string part;
+        const RationalVec<3> moved = linear_blend<Rational>(c.scales, c.weights, c.vertex);
+        bool asked = true;
+        if (*rc::gen::arbitrary<bool>()) {
+          part = "a scaled vertex";
+          c.around = {moved, Rational(0)};
+          const std::size_t k = gen::any_place(c.scales.size());
+          c.scales[k].offset += *gen::nonzero_vector<3>();
+          if (apply(c.scales[k], c.vertex) == moved) c.scales[k].offset[0] += Rational(1);
+        } else {
+          const auto broken = gen::broken_weights(c.weights);
+          part = broken.part, c.weights = broken.weights;
+          asked = part.find("more") != std::string::npos;
+          Rational farthest(0);  // This is as small as it may be.
+          c.around.center = RationalVec<3>::Zero();
+          for (const auto& s : c.scales) farthest = std::max(farthest, squared_norm(apply(s, c.vertex)));
+          c.around.squared_radius = farthest;
+        }
+        return Weakening{part, two_phase_hypotheses<Rational>(c.scales, c.around, c.vertex, c.weights),
+                         asked ? std::optional(stays_in_scaled_ball<Rational>(c.scales, c.around, c.vertex, c.weights).verdict)
+                               : std::nullopt};
+      },
+      900);
 }
 
 void pinned_cases(Suite& t) {

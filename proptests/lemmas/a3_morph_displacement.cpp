@@ -138,7 +138,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  needs_each_part(t, "a displaced ball needs each part of the hypotheses", 0.2, [] {
+  needs_each_part(t, "a displaced ball needs each part of the hypotheses", {.parts = 2, .share = 0.2}, [] {
     Morph c;
     const RationalVec<3> way = gen::unit_direction();
     c.vertex.reference = c.reference.center + way * c.reference.radius;
@@ -153,7 +153,7 @@ void hypotheses_need_each_part(Suite& t) {
                      stays_in_displaced_ball<Rational>(c.vertex, c.reference, c.balls, c.weights).verdict &
                          stays_in_ball_of_ranges<Rational>(c.vertex, c.reference, c.balls, c.ranges, c.lengths, c.weights)};
   });
-  needs_each_part(t, "weights need their ranges", 0.2, [] {
+  needs_each_part(t, "weights need their ranges", {.parts = 2, .share = 0.2}, [] {
     const Ball3<Rational> none{RationalVec<3>::Zero(), Rational(0)};
     const Rational low = *gen::rational(), high = low + abs(*gen::rational());
     const bool below = *rc::gen::arbitrary<bool>();

@@ -147,36 +147,40 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  needs_each_part(t, "the hull needs each part of the hypotheses", 0.2, [] {
-    OpposedCase c;
-    for (auto& k : c.volumes) k.growth = k.distance;
-    for (auto& k : c.volumes) k.joint.translation = -c.direction * k.growth - rotate<Rational>(k.joint.rotation, k.point);
-    std::string part;
-    bool asked = true;
-    const std::size_t k = gen::any_place(c.w.size());
-    switch (gen::any_place(4)) {
-      case 0: {
-        part = "the inequality";
-        const Rational share = Rational(1) - *gen::unit_interval_rational();
-        RC_PRE(c.w[k] > 0 && share > 0);
-        c.volumes[k].growth -= share * c.volumes[k].distance;
-        c.volumes[k].joint.translation += c.direction * (share * c.volumes[k].distance);
-        break;
-      }
-      case 1:
-        part = "the distance";
-        c.vertex += rotate<Rational>(conjugate(c.volumes[k].joint.rotation), c.direction) * Rational(*gen::excess());
-        asked = c.volumes.size() == 1;
-        break;
-      case 2: part = "the distance is negative", c.volumes[k].distance = -c.volumes[k].distance, asked = false; break;
-      default: {
-        const auto broken = gen::broken_weights(c.w);
-        part = broken.part, c.w = broken.weights, asked = false;
-      }
-    }
-    return Weakening{part, volumes_hypotheses<Rational>(c.volumes, c.w, c.vertex),
-                     asked ? std::optional(stays_below_reach<Rational>(c.volumes, c.w, c.vertex, c.direction)) : std::nullopt};
-  });
+  needs_each_part(
+      t, "the hull needs each part of the hypotheses", {.parts = 8, .share = 0.2},
+      [] {
+        OpposedCase c;
+        for (auto& k : c.volumes) k.growth = k.distance;
+        for (auto& k : c.volumes) k.joint.translation = -c.direction * k.growth - rotate<Rational>(k.joint.rotation, k.point);
+        std::string part;
+        bool asked = true;
+        const std::size_t k = gen::any_place(c.w.size());
+        switch (gen::any_place(6)) {
+          case 0: {
+            part = "the inequality";
+            const Rational share = Rational(1) - *gen::unit_interval_rational();
+            RC_PRE(c.w[k] > 0 && share > 0);
+            c.volumes[k].growth -= share * c.volumes[k].distance;
+            c.volumes[k].joint.translation += c.direction * (share * c.volumes[k].distance);
+            break;
+          }
+          case 1:
+            part = "the distance";
+            c.vertex += rotate<Rational>(conjugate(c.volumes[k].joint.rotation), c.direction) * Rational(*gen::excess());
+            asked = c.volumes.size() == 1;
+            break;
+          case 2: part = "the distance is negative", c.volumes[k].distance = -c.volumes[k].distance, asked = false; break;
+          default: {
+            const auto broken = gen::broken_weights(c.w);
+            part = broken.part, c.w = broken.weights, asked = false;
+          }
+        }
+        return Weakening{
+            part, volumes_hypotheses<Rational>(c.volumes, c.w, c.vertex),
+            asked ? std::optional(stays_below_reach<Rational>(c.volumes, c.w, c.vertex, c.direction)) : std::nullopt};
+      },
+      1200);
 }
 
 void pinned_cases(Suite& t) {

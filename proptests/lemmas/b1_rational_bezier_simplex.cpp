@@ -199,7 +199,7 @@ void indices_are_those_of_the_power_of_a_sum(Suite& t) {
 
 void hypotheses_need_each_part(Suite& t) {
   needs_each_part(
-      t, "weights of another sum are refused, and spherical blending tells them apart", 0.5,
+      t, "weights of another sum are refused, and spherical blending tells them apart", {.parts = 6, .share = 0.5},
       [] {
         const auto c = *gen::blend_case(gen::Spread::any, 4);
         auto u = *gen::affine_weights(static_cast<int>(c.weights.size()));

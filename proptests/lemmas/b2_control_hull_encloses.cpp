@@ -103,7 +103,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 
 void hypotheses_need_each_part(Suite& t) {
   needs_each_part(
-      t, "each control point's weight and all of the weights are looked at by themselves", 0.1,
+      t, "each control point's weight and all of the weights are looked at by themselves", {.parts = 6, .share = 0.1},
       [] {
         auto c = *gen::blend_case(gen::Spread::positive, 4);
         const std::size_t m = c.blend.weight_vertex_count();
@@ -140,7 +140,7 @@ void hypotheses_need_each_part(Suite& t) {
     }
   });
   needs_each_part(
-      t, "each pair of weight vertices, and each weight vertex with itself, is looked at", 0.2,
+      t, "each pair of weight vertices, and each weight vertex with itself, is looked at", {.parts = 7, .share = 0.2},
       [] {
         auto q = (*gen::blend_case(gen::Spread::positive, 4)).blend.rotations;
         RC_PRE(q.size() > 2u);
@@ -164,7 +164,7 @@ void hypotheses_need_each_part(Suite& t) {
         const DualQuaternionBlend<Rational> blend{q, q, RationalVec<3>(1, 2, 3)};
         return Weakening{part, pairs_are_positive(q), control_weights_are_positive(control_points(blend))};
       },
-      500);
+      2400);
 }
 
 void statements_say_their_words(Suite& t) {

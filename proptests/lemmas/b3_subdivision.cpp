@@ -229,13 +229,16 @@ void halves_need_each_part(Suite& t) {
     RC_ASSERT(is_same_blend<Rational>(c.blend, longer, c.blend, c.weights) == Verdict::fails);
     RC_ASSERT(is_same_blend<Rational>(c.blend, c.weights, c.blend, shorter) == Verdict::fails);
   });
-  needs_each_part(t, "weights that are not convex are in no half", 0.3, [] {
-    const auto c = with_an_edge(gen::Spread::any, 4);
-    const Half half = any_edge(c.blend);
-    const auto broken = gen::broken_weights(c.weights);
-    return Weakening{broken.part, halving_hypotheses(c.blend, half, Span(broken.weights)),
-                     halves_cover<Rational>(c.blend, half.kept, half.replaced, broken.weights).verdict};
-  });
+  needs_each_part(
+      t, "weights that are not convex are in no half", {.parts = 5, .share = 0.3},
+      [] {
+        const auto c = with_an_edge(gen::Spread::any, 4);
+        const Half half = any_edge(c.blend);
+        const auto broken = gen::broken_weights(c.weights);
+        return Weakening{broken.part, halving_hypotheses(c.blend, half, Span(broken.weights)),
+                         halves_cover<Rational>(c.blend, half.kept, half.replaced, broken.weights).verdict};
+      },
+      400);
   t.holds("a half has the middle in place of one end, and the rest as it was", {.number_type = "rational", .cases = 200}, [] {
     const auto c = with_an_edge(gen::Spread::any, 4);
     const Half edge = any_edge(c.blend);
@@ -318,7 +321,7 @@ void blends_and_hull_points_are_compared_part_by_part(Suite& t) {
 
 void sizes_need_each_part(Suite& t) {
   needs_each_part(
-      t, "each size of each weight vertex and each edge is looked at, and each sign", 0.02,
+      t, "each size of each weight vertex and each edge is looked at, and each sign", {.parts = 14, .share = 0.02},
       [] {
         auto c = *gen::blend_case(gen::Spread::any, 3);
         // All weight vertices are equal but one, or one pair about the third, and the sizes fit the others and the rest.
@@ -370,7 +373,7 @@ void sizes_need_each_part(Suite& t) {
         return Weakening{part, sizes_bound(c.blend, sizes),
                          is_needed ? std::optional(control_point_is_near(c.blend, index, smaller).verdict) : std::nullopt};
       },
-      900);
+      1500);
   t.holds("the sizes are bounds up to their edge, and the bound of the distance is its formula",
           {.number_type = "rational", .cases = 200}, [] {
             // Along one axis all lengths are rational.
@@ -442,7 +445,7 @@ void new_edges_and_middles_need_each_part(Suite& t) {
     RC_ASSERT(new_edge_is_shorter(q[0], q[1], q[2]) == verdict_of(!(first && second) || shorter));
   });
   needs_each_part(
-      t, "the middle is in front of both ends only if they have one length and do not cancel", 0.1,
+      t, "the middle is in front of both ends only if they have one length and do not cancel", {.parts = 3, .share = 0.08},
       [] {
         const auto q = *gen::unit_quaternions(2, 2);
         RationalQuaternion p = q[0], r = q[1];
@@ -459,7 +462,7 @@ void new_edges_and_middles_need_each_part(Suite& t) {
         const bool has_room = kind < 2 && factor == Rational(1001, 1000);
         return has_room ? Weakening{asked.part, asked.hypothesis, {}} : asked;
       },
-      600);
+      900);
   t.holds("the verdict of the halves is that of both ends, and each part of the witness is checked",
           {.number_type = "rational", .cases = 600}, [] {
             const auto q = *gen::unit_quaternions(2, 2);

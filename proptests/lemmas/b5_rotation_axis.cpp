@@ -147,7 +147,7 @@ void hypotheses_need_each_part(Suite& t) {
               }
           });
   needs_each_part(
-      t, "each part of the hypotheses is looked at by itself", 0.1,
+      t, "each part of the hypotheses is looked at by itself", {.parts = 9, .share = 0.1},
       [] {
         Twist w;
         while (w.cap.rotations.size() < 3) {
@@ -180,7 +180,7 @@ void hypotheses_need_each_part(Suite& t) {
         if (!is_needed) return Weakening{part, hypothesis, {}};
         return Weakening{part, hypothesis, twist_keeps_axis<Rational>(w.axis, w.cap, w.x, w.weights).verdict};
       },
-      600);
+      1500);
 }
 
 void each_part_of_a_witness_is_checked(Suite& t) {

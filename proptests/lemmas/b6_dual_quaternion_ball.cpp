@@ -141,7 +141,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 
 void hypotheses_need_each_part(Suite& t) {
   needs_each_part(
-      t, "each weight vertex and each of the weights is looked at by itself", 0.03,
+      t, "each weight vertex and each of the weights is looked at by itself", {.parts = 11, .share = 0.02},
       [] {
         const AheadCase c(3);
         auto blend = c.blend;

@@ -243,7 +243,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 
 void hypotheses_need_each_part(Suite& t) {
   needs_each_part(
-      t, "each quaternion, each pair and each bound of the hypotheses is looked at by itself", 0.02,
+      t, "each quaternion, each pair and each bound of the hypotheses is looked at by itself", {.parts = 15, .share = 0.02},
       [] {
         auto transforms = *rc::gen::container<Transforms>(3, gen::rigid_transform());
         while (least_cosine(transforms) < Rational(1, 2))
@@ -288,7 +288,7 @@ void hypotheses_need_each_part(Suite& t) {
         if (!point || kind == 1 || kind == 2) return Weakening{part, hypothesis, {}};
         return Weakening{part, hypothesis, dual_reach(transforms, cosine, *point, Span(weights), *point).verdict};
       },
-      900);
+      1800);
   t.holds("the hypotheses hold up to their edges", {.number_type = "rational", .cases = 300}, [] {
     const ReachCase c(4);
     const Rational least = least_cosine(c.transforms), excess = *gen::excess();
@@ -354,26 +354,29 @@ void each_part_of_a_witness_is_checked(Suite& t) {
 }
 
 void pairs_and_spreads_need_each_part(Suite& t) {
-  needs_each_part(t, "the identity of the pairs needs unit quaternions and weights of sum 1", 0.2, [] {
-    auto transforms = *rc::gen::container<Transforms>(3, gen::rigid_transform());
-    auto weights = *gen::convex_weights(3);
-    const std::size_t k = gen::any_place(3);
-    std::string part;
-    if (*rc::gen::arbitrary<bool>()) {
-      part = gen::place(k, 3) + " is no unit";
-      transforms[k].rotation *= *rc::gen::element(Rational(2), Rational(999, 1000));
-      // Without a weight it is in no blend: only the length of its pairs shows it.
-      if (*rc::gen::arbitrary<bool>()) {
-        part += ", nor in the blend";
-        weights[(k + 1) % 3] += weights[k], weights[k] = 0;
-      }
-    } else {
-      part = "the sum of the weights";
-      weights[k] += *gen::excess();
-    }
-    return Weakening{part, reach_hypotheses(transforms, Rational(0), Span(weights)),
-                     deviates_by_pairs(transforms, *gen::rational_vector<3>(), Span(weights))};
-  });
+  needs_each_part(
+      t, "the identity of the pairs needs unit quaternions and weights of sum 1", {.parts = 7, .share = 0.2},
+      [] {
+        auto transforms = *rc::gen::container<Transforms>(3, gen::rigid_transform());
+        auto weights = *gen::convex_weights(3);
+        const std::size_t k = gen::any_place(3);
+        std::string part;
+        if (*rc::gen::arbitrary<bool>()) {
+          part = gen::place(k, 3) + " is no unit";
+          transforms[k].rotation *= *rc::gen::element(Rational(2), Rational(999, 1000));
+          // Without a weight it is in no blend: only the length of its pairs shows it.
+          if (*rc::gen::arbitrary<bool>()) {
+            part += ", nor in the blend";
+            weights[(k + 1) % 3] += weights[k], weights[k] = 0;
+          }
+        } else {
+          part = "the sum of the weights";
+          weights[k] += *gen::excess();
+        }
+        return Weakening{part, reach_hypotheses(transforms, Rational(0), Span(weights)),
+                         deviates_by_pairs(transforms, *gen::rational_vector<3>(), Span(weights))};
+      },
+      800);
   t.holds("a sum of pairs that is wrong in one coordinate is seen", {.number_type = "rational", .cases = 50}, [] {
     for (int i = 0; i < 3; ++i) {
       RationalVec<3> moved(0, 0, 0);
@@ -450,7 +453,7 @@ PROPTEST(b7_motion_bound) {
   hypotheses_need_each_part(t);
   each_part_of_a_witness_is_checked(t);
   pairs_and_spreads_need_each_part(t);
-  reaches_share(t, "cases of several joints that differ, close and not", 0.4, [] { return !ReachCase(4).is_degenerate(); });
+  reaches_share(t, "cases of several joints that differ, close and not", 0.35, [] { return !ReachCase(4).is_degenerate(); });
   pinned_cases(t);
 }
 

@@ -190,23 +190,26 @@ void spherical_images_are_near_each_other(Suite& t) {
         RC_ASSERT(are_spherical_images<Rational>(c.of, c.w, c.other, c.error, wrong) == Verdict::fails);
       }
   });
-  needs_each_part(t, "the bound of spherical blends needs each part of its hypotheses", 0, [] {
-    SphericalCase c;
-    while (c.is_degenerate() || c.error.image == 0) c = SphericalCase();
-    const Rational rest = Rational(1) / (Rational(2) + *gen::excess());
-    std::string part;
-    switch (gen::any_place(8)) {
-      case 0: part = "weights are not convex", c.w[0] += 1, c.error.weights += 1; break;
-      case 1: part = "the other weights are not convex", c.other[0] += 1, c.error.weights += 1; break;
-      case 2: part = "weights change by more than e", c.error.weights *= rest; break;
-      case 3: part = "an image is farther than a", c.error.image *= rest; break;
-      case 4: part = "a turned vector is farther than s", c.error.turned *= rest; break;
-      case 5: part = "a is negative", c.error.image = -c.error.image; break;
-      case 6: part = "kappa is less than that of a blend", c.error.inverse_length *= rest; break;
-      default: part = "a rotation is not of unit length", c.of.transforms[0].rotation *= Rational(1) + rest; break;
-    }
-    return Weakening{part, c.hypotheses(), std::nullopt};
-  });
+  needs_each_part(
+      t, "the bound of spherical blends needs each part of its hypotheses", {.parts = 8, .share = 0},
+      [] {
+        SphericalCase c;
+        while (c.is_degenerate() || c.error.image == 0) c = SphericalCase();
+        const Rational rest = Rational(1) / (Rational(2) + *gen::excess());
+        std::string part;
+        switch (gen::any_place(8)) {
+          case 0: part = "weights are not convex", c.w[0] += 1, c.error.weights += 1; break;
+          case 1: part = "the other weights are not convex", c.other[0] += 1, c.error.weights += 1; break;
+          case 2: part = "weights change by more than e", c.error.weights *= rest; break;
+          case 3: part = "an image is farther than a", c.error.image *= rest; break;
+          case 4: part = "a turned vector is farther than s", c.error.turned *= rest; break;
+          case 5: part = "a is negative", c.error.image = -c.error.image; break;
+          case 6: part = "kappa is less than that of a blend", c.error.inverse_length *= rest; break;
+          default: part = "a rotation is not of unit length", c.of.transforms[0].rotation *= Rational(1) + rest; break;
+        }
+        return Weakening{part, c.hypotheses(), std::nullopt};
+      },
+      600);
 }
 
 void verdicts_and_witnesses_are_checked(Suite& t) {
@@ -256,7 +259,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  needs_each_part(t, "the bound of rotations needs each part of its hypotheses", 0.5, [] {
+  needs_each_part(t, "the bound of rotations needs each part of its hypotheses", {.parts = 5, .share = 0.5}, [] {
     SharpCase c;
     while (squared_norm(c.x) == 0) c.x[1] = *gen::rational();
     const Rational amount = *gen::excess(), rest = Rational(1) / (Rational(1) + amount);
@@ -273,36 +276,40 @@ void hypotheses_need_each_part(Suite& t) {
     return Weakening{part, hypothesis,
                      is_asked ? std::optional(turn_is_little(c.q, c.other, c.x, c.error).verdict) : std::nullopt};
   });
-  needs_each_part(t, "the bound of translations needs each part of its hypotheses", 0.2, [] {
-    // All turns are about one axis, where lengths are those of numbers. The dual is a translation along it.
-    const Rational kappa = *gen::positive_rational(), length = Rational(1) / kappa, amount = *gen::excess(),
-                   dual = *gen::positive_rational(), off = *gen::positive_rational();
-    Blend blend{RationalQuaternion(length, 0, 0, 0), RationalQuaternion(0, dual, 0, 0)}, other = blend;
-    Error error{0, 0, dual, kappa};
-    std::string part;
-    bool is_asked = true;
-    switch (gen::any_place(8)) {
-      case 0: part = "rotations are farther apart than e", other.rotation[0] += amount; break;
-      case 1: part = "duals are farther apart than f", other.dual[1] += amount; break;
-      case 2: part = "e is negative", error.rotation = -off, is_asked = false; break;
-      case 3: part = "f is negative", error.dual = -off, is_asked = false; break;
-      case 4:
-        part = "q is shorter than 1 / kappa";
-        blend.rotation[0] = length / (Rational(2) + amount), error.rotation = length - blend.rotation[0];
-        break;
-      case 5:
-        part = "q' is shorter than 1 / kappa";
-        other.rotation[0] = length / (Rational(2) + amount), error.rotation = length - other.rotation[0];
-        break;
-      case 6:
-        part = "the dual is longer than l";
-        other.rotation[0] = length + off, error.rotation = off, error.dual_length = dual / (Rational(2) + off / length + amount);
-        break;
-      default: part = "l is negative", error.dual_length = -dual, is_asked = false; break;
-    }
-    const Verdict hypothesis = move_hypotheses(blend, other, error);
-    return Weakening{part, hypothesis, is_asked ? std::optional(move_is_little(blend, other, error).verdict) : std::nullopt};
-  });
+  needs_each_part(
+      t, "the bound of translations needs each part of its hypotheses", {.parts = 8, .share = 0.2},
+      [] {
+        // All turns are about one axis, where lengths are those of numbers. The dual is a translation along it.
+        const Rational kappa = *gen::positive_rational(), length = Rational(1) / kappa, amount = *gen::excess(),
+                       dual = *gen::positive_rational(), off = *gen::positive_rational();
+        Blend blend{RationalQuaternion(length, 0, 0, 0), RationalQuaternion(0, dual, 0, 0)}, other = blend;
+        Error error{0, 0, dual, kappa};
+        std::string part;
+        bool is_asked = true;
+        switch (gen::any_place(8)) {
+          case 0: part = "rotations are farther apart than e", other.rotation[0] += amount; break;
+          case 1: part = "duals are farther apart than f", other.dual[1] += amount; break;
+          case 2: part = "e is negative", error.rotation = -off, is_asked = false; break;
+          case 3: part = "f is negative", error.dual = -off, is_asked = false; break;
+          case 4:
+            part = "q is shorter than 1 / kappa";
+            blend.rotation[0] = length / (Rational(2) + amount), error.rotation = length - blend.rotation[0];
+            break;
+          case 5:
+            part = "q' is shorter than 1 / kappa";
+            other.rotation[0] = length / (Rational(2) + amount), error.rotation = length - other.rotation[0];
+            break;
+          case 6:
+            part = "the dual is longer than l";
+            other.rotation[0] = length + off, error.rotation = off,
+            error.dual_length = dual / (Rational(2) + off / length + amount);
+            break;
+          default: part = "l is negative", error.dual_length = -dual, is_asked = false; break;
+        }
+        const Verdict hypothesis = move_hypotheses(blend, other, error);
+        return Weakening{part, hypothesis, is_asked ? std::optional(move_is_little(blend, other, error).verdict) : std::nullopt};
+      },
+      600);
 }
 
 PROPTEST(b8_blend_error) {

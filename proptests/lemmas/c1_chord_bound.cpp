@@ -134,32 +134,36 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  needs_each_part(t, "the bound by the second derivative needs each part of its hypotheses", 0.3, [] {
-    const RationalVec<3> direction = gen::unit_direction();
-    Rational start = *gen::positive_rational(), end = start, share = *gen::unit_interval_rational(),
-             duration = *gen::positive_rational();
-    const Rational acceleration = start;
-    std::string part;
-    std::optional<Verdict> none;
-    bool asked = true;
-    switch (gen::any_place(6)) {
-      case 0: part = "the bend at the start", start += *gen::excess(); break;
-      case 1: part = "the bend at the end", end += *gen::excess(); break;
-      case 2: part = "the share is negative", share = -*gen::excess(); break;
-      case 3: part = "the share is more than 1", share = Rational(1) + *gen::excess(); break;
-      case 4: part = "the duration is negative", duration = -duration, asked = false; break;
-      default: part = "the bound is negative", start = end = Rational(0), asked = false;
-    }
-    const Curve curve =
-        gen::cubic_between(*gen::rational_vector<3>(), *gen::rational_vector<3>(), direction * start, direction * end, duration);
-    const Rational bound = part == "the bound is negative" ? Rational(-acceleration) : acceleration;
-    // Beyond the ends the bound as it is written is that of a share within; a wrong sign of it is not seen in its square.
-    const Rational at = share;
-    const auto conclusion = at < 0 || at > 1 ? less_equal(squared_deviation(curve, at), sq(chord_slack(acceleration, duration)))
-                                             : point_near_chord(curve, acceleration, at).verdict;
-    return Weakening{part, chord_hypotheses(curve, bound, at), asked ? std::optional(conclusion) : none};
-  });
-  needs_each_part(t, "the bound by the speed needs each part of its hypotheses", 0.3, [] {
+  needs_each_part(
+      t, "the bound by the second derivative needs each part of its hypotheses", {.parts = 6, .share = 0.2},
+      [] {
+        const RationalVec<3> direction = gen::unit_direction();
+        Rational start = *gen::positive_rational(), end = start, share = *gen::unit_interval_rational(),
+                 duration = *gen::positive_rational();
+        const Rational acceleration = start;
+        std::string part;
+        std::optional<Verdict> none;
+        bool asked = true;
+        switch (gen::any_place(6)) {
+          case 0: part = "the bend at the start", start += *gen::excess(); break;
+          case 1: part = "the bend at the end", end += *gen::excess(); break;
+          case 2: part = "the share is negative", share = -*gen::excess(); break;
+          case 3: part = "the share is more than 1", share = Rational(1) + *gen::excess(); break;
+          case 4: part = "the duration is negative", duration = -duration, asked = false; break;
+          default: part = "the bound is negative", start = end = Rational(0), asked = false;
+        }
+        const Curve curve = gen::cubic_between(*gen::rational_vector<3>(), *gen::rational_vector<3>(), direction * start,
+                                               direction * end, duration);
+        const Rational bound = part == "the bound is negative" ? Rational(-acceleration) : acceleration;
+        // Beyond the ends the bound as it is written is that of a share within; a wrong sign of it is not seen in its square.
+        const Rational at = share;
+        const auto conclusion = at < 0 || at > 1
+                                    ? less_equal(squared_deviation(curve, at), sq(chord_slack(acceleration, duration)))
+                                    : point_near_chord(curve, acceleration, at).verdict;
+        return Weakening{part, chord_hypotheses(curve, bound, at), asked ? std::optional(conclusion) : none};
+      },
+      600);
+  needs_each_part(t, "the bound by the speed needs each part of its hypotheses", {.parts = 3, .share = 0.2}, [] {
     // The curve runs there and back again, and on some part of its way faster than it is said to.
     const RationalVec<3> direction = gen::unit_direction();
     const Rational speed = *gen::positive_rational();

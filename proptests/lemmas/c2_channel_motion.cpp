@@ -216,7 +216,7 @@ void moments_and_hypotheses_need_each_part(Suite& t) {
     }
     RC_ASSERT(is_moment_of(curve, k.share, moment) == Verdict::fails);
   });
-  needs_each_part(t, "an arc needs unit quaternions that are not opposite", 0, [] {
+  needs_each_part(t, "an arc needs unit quaternions that are not opposite", {.parts = 3, .share = 0}, [] {
     RationalQuaternion from = *gen::unit_quaternion(), to = *gen::unit_quaternion();
     switch (gen::any_place(3)) {
       case 0: return Weakening{"the first is no unit", has_an_arc<Rational>(from * Rational(1001, 1000), to), {}};
@@ -224,7 +224,7 @@ void moments_and_hypotheses_need_each_part(Suite& t) {
       default: return Weakening{"they are opposite", has_an_arc<Rational>(from, -from), {}};
     }
   });
-  needs_each_part(t, "a spline needs a time between its keys, and a share of it", 0.2, [] {
+  needs_each_part(t, "a spline needs a time between its keys, and a share of it", {.parts = 2, .share = 0.2}, [] {
     // The channel rises from 0 to 1 and on. Beyond the keys it is longer, and faster, than the bounds say.
     Rational share = *gen::unit_interval_rational(), duration = *gen::positive_rational();
     std::string part;

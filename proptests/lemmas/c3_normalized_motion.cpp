@@ -243,35 +243,40 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  needs_each_part(t, "the bounds need each part of the hypotheses", 0.15, [] {
-    // A turn without a bend on the shortest blend, or a bend across it without a turn, reaches its bound.
-    const Rational least = *gen::positive_rational(), speed = *gen::positive_rational();
-    const RationalQuaternion p = *gen::unit_quaternion();
-    const gen::RationalVec<3> axis = gen::unit_direction();
-    const RationalQuaternion across = multiply<Rational>(RationalQuaternion(Rational(0), axis[0], axis[1], axis[2]), p);
-    const Rational tiny = *gen::excess(), more = speed + tiny;
-    const auto verdict = [&](const Moment<Rational, 4>& m, const RationalMotion& motion, const Rational& shortest) {
-      return normalized_moves(m, motion, shortest).verdict & inverse_moves(m, motion, shortest).verdict;
-    };
-    const auto weakened = [&](const std::string& part, const Moment<Rational, 4>& m, const RationalMotion& motion,
-                              const Rational& shortest, bool asked = true) {
-      return Weakening{part, normalization_hypotheses(m, motion, shortest),
-                       asked ? std::optional(verdict(m, motion, shortest)) : std::nullopt};
-    };
-    const Moment<Rational, 4> turn{p * least, across * speed, RationalQuaternion::Zero()},
-        bend{p * least, RationalQuaternion::Zero(), across * speed}, fast{p * least, across * more, RationalQuaternion::Zero()},
-        bent{p * least, RationalQuaternion::Zero(), across * more};
-    const RationalMotion of_turn{Rational(0), speed, Rational(0)}, of_bend{Rational(0), Rational(0), speed};
-    switch (gen::any_place(6)) {
-      case 0: return weakened("the blend is shorter than the least", turn, of_turn, Rational(least + tiny));
-      case 1: return weakened("the blend is faster", fast, of_turn, least);
-      case 2: return weakened("the blend bends more", bent, of_bend, least);
-      case 3: return weakened("the least is not positive", turn, of_turn, Rational(-least), false);
-      case 4: return weakened("the speed's bound is negative", turn, {Rational(0), -speed, Rational(0)}, least, false);
-      default: return weakened("the acceleration's bound is negative", bend, {Rational(0), Rational(0), -speed}, least, false);
-    }
-  });
-  needs_each_part(t, "the length of a blend needs each part of its hypotheses", 0.2, [] {
+  needs_each_part(
+      t, "the bounds need each part of the hypotheses", {.parts = 6, .share = 0.15},
+      [] {
+        // A turn without a bend on the shortest blend, or a bend across it without a turn, reaches its bound.
+        const Rational least = *gen::positive_rational(), speed = *gen::positive_rational();
+        const RationalQuaternion p = *gen::unit_quaternion();
+        const gen::RationalVec<3> axis = gen::unit_direction();
+        const RationalQuaternion across = multiply<Rational>(RationalQuaternion(Rational(0), axis[0], axis[1], axis[2]), p);
+        const Rational tiny = *gen::excess(), more = speed + tiny;
+        const auto verdict = [&](const Moment<Rational, 4>& m, const RationalMotion& motion, const Rational& shortest) {
+          return normalized_moves(m, motion, shortest).verdict & inverse_moves(m, motion, shortest).verdict;
+        };
+        const auto weakened = [&](const std::string& part, const Moment<Rational, 4>& m, const RationalMotion& motion,
+                                  const Rational& shortest, bool asked = true) {
+          return Weakening{part, normalization_hypotheses(m, motion, shortest),
+                           asked ? std::optional(verdict(m, motion, shortest)) : std::nullopt};
+        };
+        const Moment<Rational, 4> turn{p * least, across * speed, RationalQuaternion::Zero()},
+            bend{p * least, RationalQuaternion::Zero(), across * speed},
+            fast{p * least, across * more, RationalQuaternion::Zero()},
+            bent{p * least, RationalQuaternion::Zero(), across * more};
+        const RationalMotion of_turn{Rational(0), speed, Rational(0)}, of_bend{Rational(0), Rational(0), speed};
+        switch (gen::any_place(6)) {
+          case 0: return weakened("the blend is shorter than the least", turn, of_turn, Rational(least + tiny));
+          case 1: return weakened("the blend is faster", fast, of_turn, least);
+          case 2: return weakened("the blend bends more", bent, of_bend, least);
+          case 3: return weakened("the least is not positive", turn, of_turn, Rational(-least), false);
+          case 4: return weakened("the speed's bound is negative", turn, {Rational(0), -speed, Rational(0)}, least, false);
+          default:
+            return weakened("the acceleration's bound is negative", bend, {Rational(0), Rational(0), -speed}, least, false);
+        }
+      },
+      500);
+  needs_each_part(t, "the length of a blend needs each part of its hypotheses", {.parts = 4, .share = 0.2}, [] {
     std::vector<RationalQuaternion> units{*gen::unit_quaternion(), *gen::unit_quaternion(), *gen::unit_quaternion()};
     std::vector<Rational> w(3, Rational(0));
     const std::size_t k = gen::any_place(3), l = (k + 1 + gen::any_place(2)) % 3;

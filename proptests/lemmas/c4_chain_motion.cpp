@@ -153,44 +153,47 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  needs_each_part(t, "a chain needs each part of the hypotheses", 0.1, [] {
-    // Hinges about z reach the bounds in size, speed and acceleration, so that a broken bound is seen.
-    const RationalVec<3> none = RationalVec<3>::Zero();
-    const RationalVec<3> x(1, 0, 0);
-    LinkMoment<Rational> link{{x, x, x},
-                              gen::turning_moment({1, 0, 0, 0}, none, none),
-                              {RationalVec<3>(1, 1, 1), RationalVec<3>(1, 1, 1), RationalVec<3>(1, 1, 1)}};
-    const Motion<Rational> one{Rational(1), Rational(1), Rational(1)};
-    LinkMotion<Rational> motion{one, at_rest(Rational(1)), one};
-    const Moment<Rational, 3> point{x, none, none};
-    std::string part;
-    const Rational more = Rational(1) + *gen::excess();
-    const auto break_of = [&](auto& m, Motion<Rational>& bounds, const std::string& name) {
-      const std::size_t what = gen::any_place(4);
-      if (what == 0) m.value *= more, part = name + "'s size";
-      if (what == 1) m.velocity *= more, part = name + "'s speed";
-      if (what == 2) m.acceleration *= more, part = name + "'s acceleration";
-      if (what == 3) bounds.speed = -more, part = name + "'s bound is negative";
-    };
-    switch (gen::any_place(3)) {
-      case 0: break_of(link.translation, motion.translation, "the translation"); break;
-      case 1: break_of(link.scale, motion.scale, "the scale"); break;
-      default: {
-        link.rotation = gen::turning_moment({1, 0, 0, 0}, RationalVec<3>(0, 0, 1), none);
-        motion.rotation = circle_motion(Rational(1));
-        // The link is at rest but for the turn, so that what is across counts.
-        link.translation = {none, none, none}, motion.translation = at_rest(Rational(0));
-        link.scale = {RationalVec<3>(1, 1, 1), none, none}, motion.scale = at_rest(Rational(1));
-        break_of(link.rotation, motion.rotation, "the rotation");
-      }
-    }
-    const std::vector links{link};
-    const std::vector motions{motion};
-    const bool asked = part.find("negative") == std::string::npos;
-    return Weakening{
-        part, link_hypotheses(link, motion),
-        asked ? std::optional(chain_moves<Rational>(links, motions, point, at_rest(Rational(1))).verdict) : std::nullopt};
-  });
+  needs_each_part(
+      t, "a chain needs each part of the hypotheses", {.parts = 12, .share = 0.1},
+      [] {
+        // Hinges about z reach the bounds in size, speed and acceleration, so that a broken bound is seen.
+        const RationalVec<3> none = RationalVec<3>::Zero();
+        const RationalVec<3> x(1, 0, 0);
+        LinkMoment<Rational> link{{x, x, x},
+                                  gen::turning_moment({1, 0, 0, 0}, none, none),
+                                  {RationalVec<3>(1, 1, 1), RationalVec<3>(1, 1, 1), RationalVec<3>(1, 1, 1)}};
+        const Motion<Rational> one{Rational(1), Rational(1), Rational(1)};
+        LinkMotion<Rational> motion{one, at_rest(Rational(1)), one};
+        const Moment<Rational, 3> point{x, none, none};
+        std::string part;
+        const Rational more = Rational(1) + *gen::excess();
+        const auto break_of = [&](auto& m, Motion<Rational>& bounds, const std::string& name) {
+          const std::size_t what = gen::any_place(4);
+          if (what == 0) m.value *= more, part = name + "'s size";
+          if (what == 1) m.velocity *= more, part = name + "'s speed";
+          if (what == 2) m.acceleration *= more, part = name + "'s acceleration";
+          if (what == 3) bounds.speed = -more, part = name + "'s bound is negative";
+        };
+        switch (gen::any_place(3)) {
+          case 0: break_of(link.translation, motion.translation, "the translation"); break;
+          case 1: break_of(link.scale, motion.scale, "the scale"); break;
+          default: {
+            link.rotation = gen::turning_moment({1, 0, 0, 0}, RationalVec<3>(0, 0, 1), none);
+            motion.rotation = circle_motion(Rational(1));
+            // The link is at rest but for the turn, so that what is across counts.
+            link.translation = {none, none, none}, motion.translation = at_rest(Rational(0));
+            link.scale = {RationalVec<3>(1, 1, 1), none, none}, motion.scale = at_rest(Rational(1));
+            break_of(link.rotation, motion.rotation, "the rotation");
+          }
+        }
+        const std::vector links{link};
+        const std::vector motions{motion};
+        const bool asked = part.find("negative") == std::string::npos;
+        return Weakening{
+            part, link_hypotheses(link, motion),
+            asked ? std::optional(chain_moves<Rational>(links, motions, point, at_rest(Rational(1))).verdict) : std::nullopt};
+      },
+      900);
 }
 
 void pinned_cases(Suite& t) {

@@ -249,46 +249,49 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  needs_each_part(t, "skinned motion needs each part of the hypotheses", 0.02, [] {
-    // Two joints at right angles or less turn alike: the blend is as short as it is said to be.
-    const RationalVec<3> still = RationalVec<3>::Zero();
-    const RationalVec<3> axis = gen::unit_direction(), image = gen::unit_direction();
-    const RationalQuaternion a = *gen::unit_quaternion();
-    Skin s(1);
-    s.skin.weights = {Rational(1, 2), Rational(1, 2)};
-    const auto q = gen::turning_moment(a, axis, still);
-    s.skin.rotations = {q, q}, s.rotations = {circle_motion(Rational(1)), circle_motion(Rational(1))};
-    s.skin.images = {{image, still, still}, {image, still, still}}, s.images = {at_rest(Rational(1)), at_rest(Rational(1))};
-    s.least = Rational(1);
-    const std::size_t k = gen::any_place(2);
-    const Rational more = Rational(1) + *rc::gen::element(Rational(30), Rational(5));
-    std::string part;
-    bool asked = true;
-    switch (gen::any_place(8)) {
-      case 0: part = "an image's size", s.skin.images[k].value *= more * more; break;
-      case 1: part = "an image's speed", s.skin.images[k].velocity = image * more; break;
-      case 2: part = "an image's acceleration", s.skin.images[k].acceleration = image * Rational(more * more); break;
-      case 3: part = "a quaternion's speed", s.skin.rotations[k].velocity *= more * Rational(10); break;
-      case 4:
-        part = "a quaternion's acceleration",
-        s.skin.rotations[k].acceleration = gen::turning_moment(a, axis, axis * Rational(more * more)).acceleration;
-        break;
-      case 5: {
-        const auto broken = gen::broken_weights(s.skin.weights);
-        part = broken.part, s.skin.weights = broken.weights, asked = false;
-        break;
-      }
-      case 6: part = "the least is not positive", s.least = Rational(0) - *gen::excess(), asked = false; break;
-      default: part = "a quaternion is no unit", s.skin.rotations[k].value *= Rational(1, 2), asked = false;
-    }
-    const Verdict hypothesis = skin_hypotheses<Rational>(s.skin, s.images, s.rotations, s.least);
-    if (!asked) return Weakening{part, hypothesis, std::nullopt};
-    // The verdict is taken where it shows: in the linear blend, or in one of the turns.
-    const Verdict conclusion = linear_moves<Rational>(s.skin, s.images).verdict &
-                               dual_moves<Rational>(s.skin, s.images, s.rotations, s.least).verdict &
-                               spherical_moves<Rational>(s.skin, image, s.images, s.rotations, Rational(1), s.least).verdict;
-    return Weakening{part, hypothesis, conclusion};
-  });
+  needs_each_part(
+      t, "skinned motion needs each part of the hypotheses", {.parts = 11, .share = 0.2},
+      [] {
+        // Two joints at right angles or less turn alike: the blend is as short as it is said to be.
+        const RationalVec<3> still = RationalVec<3>::Zero();
+        const RationalVec<3> axis = gen::unit_direction(), image = gen::unit_direction();
+        const RationalQuaternion a = *gen::unit_quaternion();
+        Skin s(1);
+        s.skin.weights = {Rational(1, 2), Rational(1, 2)};
+        const auto q = gen::turning_moment(a, axis, still);
+        s.skin.rotations = {q, q}, s.rotations = {circle_motion(Rational(1)), circle_motion(Rational(1))};
+        s.skin.images = {{image, still, still}, {image, still, still}}, s.images = {at_rest(Rational(1)), at_rest(Rational(1))};
+        s.least = Rational(1);
+        const std::size_t k = gen::any_place(2);
+        const Rational more = Rational(1) + *rc::gen::element(Rational(30), Rational(5));
+        std::string part;
+        bool asked = true;
+        switch (gen::any_place(8)) {
+          case 0: part = "an image's size", s.skin.images[k].value *= more * more; break;
+          case 1: part = "an image's speed", s.skin.images[k].velocity = image * more; break;
+          case 2: part = "an image's acceleration", s.skin.images[k].acceleration = image * Rational(more * more); break;
+          case 3: part = "a quaternion's speed", s.skin.rotations[k].velocity *= more * Rational(10); break;
+          case 4:
+            part = "a quaternion's acceleration",
+            s.skin.rotations[k].acceleration = gen::turning_moment(a, axis, axis * Rational(more * more)).acceleration;
+            break;
+          case 5: {
+            const auto broken = gen::broken_weights(s.skin.weights);
+            part = broken.part, s.skin.weights = broken.weights, asked = false;
+            break;
+          }
+          case 6: part = "the least is not positive", s.least = Rational(0) - *gen::excess(), asked = false; break;
+          default: part = "a quaternion is no unit", s.skin.rotations[k].value *= Rational(1, 2), asked = false;
+        }
+        const Verdict hypothesis = skin_hypotheses<Rational>(s.skin, s.images, s.rotations, s.least);
+        if (!asked) return Weakening{part, hypothesis, std::nullopt};
+        // The verdict is taken where it shows: in the linear blend, or in one of the turns.
+        const Verdict conclusion = linear_moves<Rational>(s.skin, s.images).verdict &
+                                   dual_moves<Rational>(s.skin, s.images, s.rotations, s.least).verdict &
+                                   spherical_moves<Rational>(s.skin, image, s.images, s.rotations, Rational(1), s.least).verdict;
+        return Weakening{part, hypothesis, conclusion};
+      },
+      2100);
 }
 
 void pinned_cases(Suite& t) {

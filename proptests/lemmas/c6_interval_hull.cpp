@@ -192,43 +192,48 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  needs_each_part(t, "an interval needs each part of the hypotheses", 0.2, [] {
-    MovingPoints c;
-    const std::size_t k = gen::any_place(c.curves.size());
-    c.acceleration = *gen::positive_rational(), c.share = Rational(1, 2);
-    for (auto& curve : c.curves)
-      curve =
-          gen::cubic_between(curve.points[0], curve.points[3], RationalVec<3>::Zero(), RationalVec<3>::Zero(), curve.duration);
-    c.enclose();
-    const RationalVec<3> away = c.direction;
-    const Rational huge(1000000);
-    switch (gen::any_place(6)) {
-      case 0: {
-        c.curves[k] = gen::cubic_between(c.curves[k].points[0], c.curves[k].points[3],
-                                         away * huge * c.acceleration / (c.curves[k].duration * c.curves[k].duration),
-                                         away * huge * c.acceleration / (c.curves[k].duration * c.curves[k].duration),
-                                         c.curves[k].duration);
-        return Weakening{"a bend", c.hypotheses(), c.conclusion()};
-      }
-      case 1:
-        c.start = {c.start.low - huge, c.start.low - Rational(huge / Rational(2))};
-        c.end = c.start;
-        return Weakening{
-            "the slab at an end", c.hypotheses(),
-            c.acceleration * c.curves[k].duration * c.curves[k].duration < 100 ? std::optional(c.conclusion()) : std::nullopt};
-      case 2:
-        c.both.center += away * huge;
-        return Weakening{
-            "the ball", c.hypotheses(),
-            c.acceleration * c.curves[k].duration * c.curves[k].duration < 100 ? std::optional(c.conclusion()) : std::nullopt};
-      case 3: c.share = -*gen::excess(); return Weakening{"the share is negative", c.hypotheses(), std::nullopt};
-      case 4: c.share = Rational(1) + *gen::excess(); return Weakening{"the share is more than 1", c.hypotheses(), std::nullopt};
-      default:
-        c.curves[k].duration = -c.curves[k].duration;
-        return Weakening{"the duration is negative", c.hypotheses(), std::nullopt};
-    }
-  });
-  needs_each_part(t, "a patch needs each part of the hypotheses", 0.2, [] {
+  needs_each_part(
+      t, "an interval needs each part of the hypotheses", {.parts = 6, .share = 0.2},
+      [] {
+        MovingPoints c;
+        const std::size_t k = gen::any_place(c.curves.size());
+        c.acceleration = *gen::positive_rational(), c.share = Rational(1, 2);
+        for (auto& curve : c.curves)
+          curve = gen::cubic_between(curve.points[0], curve.points[3], RationalVec<3>::Zero(), RationalVec<3>::Zero(),
+                                     curve.duration);
+        c.enclose();
+        const RationalVec<3> away = c.direction;
+        const Rational huge(1000000);
+        switch (gen::any_place(6)) {
+          case 0: {
+            c.curves[k] = gen::cubic_between(c.curves[k].points[0], c.curves[k].points[3],
+                                             away * huge * c.acceleration / (c.curves[k].duration * c.curves[k].duration),
+                                             away * huge * c.acceleration / (c.curves[k].duration * c.curves[k].duration),
+                                             c.curves[k].duration);
+            return Weakening{"a bend", c.hypotheses(), c.conclusion()};
+          }
+          case 1:
+            c.start = {c.start.low - huge, c.start.low - Rational(huge / Rational(2))};
+            c.end = c.start;
+            return Weakening{"the slab at an end", c.hypotheses(),
+                             c.acceleration * c.curves[k].duration * c.curves[k].duration < 100 ? std::optional(c.conclusion())
+                                                                                                : std::nullopt};
+          case 2:
+            c.both.center += away * huge;
+            return Weakening{"the ball", c.hypotheses(),
+                             c.acceleration * c.curves[k].duration * c.curves[k].duration < 100 ? std::optional(c.conclusion())
+                                                                                                : std::nullopt};
+          case 3: c.share = -*gen::excess(); return Weakening{"the share is negative", c.hypotheses(), std::nullopt};
+          case 4:
+            c.share = Rational(1) + *gen::excess();
+            return Weakening{"the share is more than 1", c.hypotheses(), std::nullopt};
+          default:
+            c.curves[k].duration = -c.curves[k].duration;
+            return Weakening{"the duration is negative", c.hypotheses(), std::nullopt};
+        }
+      },
+      500);
+  needs_each_part(t, "a patch needs each part of the hypotheses", {.parts = 5, .share = 0.2}, [] {
     Patch c;
     const std::size_t i = gen::any_place(c.shares.size());
     const Rational amount = *gen::excess();

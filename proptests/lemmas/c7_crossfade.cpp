@@ -287,27 +287,30 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  needs_each_part(t, "a crossfade needs each part of the hypotheses", 0.2, [] {
-    const RationalQuaternion p = *gen::unit_quaternion();
-    RationalQuaternion first = p, second = *gen::unit_quaternion();
-    Rational cosine = dot(first, second), weight(1, 2);
-    RC_PRE(cosine > Rational(-1) && cosine < Rational(1));
-    const Rational amount = *rc::gen::element(Rational(1, 10), Rational(1, 1000000));
-    std::string part;
-    bool asked = true;
-    switch (gen::any_place(6)) {
-      case 0: part = "the first is no unit", first *= Rational(1) - amount; break;
-      case 1: part = "the second is no unit", second *= Rational(1) - amount; break;
-      case 2: part = "the cosine is greater than theirs", cosine += std::min(amount, Rational(Rational(1) - cosine)); break;
-      case 3: part = "the weight is negative", weight = -amount, asked = false; break;
-      case 4: part = "the weight is more than 1", weight = Rational(1) + amount, asked = false; break;
-      default: part = "the cosine is not more than -1", cosine = Rational(-1), asked = false;
-    }
-    if (asked && part != "the cosine is greater than theirs") cosine = std::min(cosine, dot(first, second));
-    return Weakening{
-        part, crossfade_hypotheses(first, second, cosine, weight),
-        asked ? std::optional(is_long_blend<Rational>(between<Rational, 4>(first, second, weight), cosine)) : std::nullopt};
-  });
+  needs_each_part(
+      t, "a crossfade needs each part of the hypotheses", {.parts = 6, .share = 0.2},
+      [] {
+        const RationalQuaternion p = *gen::unit_quaternion();
+        RationalQuaternion first = p, second = *gen::unit_quaternion();
+        Rational cosine = dot(first, second), weight(1, 2);
+        RC_PRE(cosine > Rational(-1) && cosine < Rational(1));
+        const Rational amount = *rc::gen::element(Rational(1, 10), Rational(1, 1000000));
+        std::string part;
+        bool asked = true;
+        switch (gen::any_place(6)) {
+          case 0: part = "the first is no unit", first *= Rational(1) - amount; break;
+          case 1: part = "the second is no unit", second *= Rational(1) - amount; break;
+          case 2: part = "the cosine is greater than theirs", cosine += std::min(amount, Rational(Rational(1) - cosine)); break;
+          case 3: part = "the weight is negative", weight = -amount, asked = false; break;
+          case 4: part = "the weight is more than 1", weight = Rational(1) + amount, asked = false; break;
+          default: part = "the cosine is not more than -1", cosine = Rational(-1), asked = false;
+        }
+        if (asked && part != "the cosine is greater than theirs") cosine = std::min(cosine, dot(first, second));
+        return Weakening{
+            part, crossfade_hypotheses(first, second, cosine, weight),
+            asked ? std::optional(is_long_blend<Rational>(between<Rational, 4>(first, second, weight), cosine)) : std::nullopt};
+      },
+      400);
 }
 
 void pinned_cases(Suite& t) {

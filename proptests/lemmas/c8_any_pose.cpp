@@ -162,7 +162,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 }
 
 void hypotheses_need_each_part(Suite& t) {
-  needs_each_part(t, "a reach needs each part of its hypotheses", 0.2, [] {
+  needs_each_part(t, "a reach needs each part of its hypotheses", {.parts = 4, .share = 0.2}, [] {
     const Rational length = *gen::positive_rational(), stretch = *gen::positive_rational(), more = Rational(1) + *gen::excess();
     LinkRange<Rational> range{length, stretch};
     PosedLink<Rational> link{{1, 0, 0, 0}, RationalVec<3>(length, 0, 0), RationalVec<3>(stretch, stretch, stretch)};

@@ -5,8 +5,8 @@
 #include "proptests/gen/cap.hpp"
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/surface.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/harness/harness.hpp"
-#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/nearest_on_surface.hpp"
 #include "proptests/oracles/number_types.hpp"
 
@@ -74,7 +74,7 @@ void half_space_hypotheses_need_each_part(Suite& t) {
     auto c = cut_surface<d>();
     c = at_offset<d>(c, farthest_offset<d>(c) + *gen::positive_rational().as("amount"));
     RC_ASSERT(half_space_is_cap_repaired(c.surface, c.half_space, c.scale, c.point) == Verdict::holds);
-    return Violation{cuts_cap(c.surface, c.half_space), cap_of_half_space(c.surface, c.half_space, c.scale).verdict};
+    return Weakening{cuts_cap(c.surface, c.half_space), cap_of_half_space(c.surface, c.half_space, c.scale).verdict};
   });
   needs_part_in<1, 4>(t, "d != 0", [](auto d) {
     auto c = cut_surface<d>();
@@ -82,7 +82,7 @@ void half_space_hypotheses_need_each_part(Suite& t) {
     c.half_space.offset = -abs(*gen::rational().as("offset"));
     RC_ASSERT(meets(c.surface, c.half_space) == Verdict::holds);
     RC_ASSERT(is_half_space(c.half_space) == Verdict::fails);
-    return Violation{cuts_cap(c.surface, c.half_space),
+    return Weakening{cuts_cap(c.surface, c.half_space),
                      is_cap_of_half_space(c.surface, c.half_space, cap_of_half_space(c.surface, c.half_space, c.scale))};
   });
   needs_part_in<1, 4>(t, "r > 0, with r^2 = 0 or less", [](auto d) {
@@ -94,7 +94,7 @@ void half_space_hypotheses_need_each_part(Suite& t) {
     RC_ASSERT(half_space_is_cap_repaired(c.surface, c.half_space, c.scale, c.surface.center) == Verdict::holds);
     // There is no cap to compute; that of its center is none either.
     const Cap<Rational, d> center{c.surface.center, c.surface.center + c.half_space.normal * c.scale, Rational(-1)};
-    return Violation{cuts_cap(c.surface, c.half_space),
+    return Weakening{cuts_cap(c.surface, c.half_space),
                      is_cap_of_half_space(c.surface, c.half_space, {Verdict::holds, center, c.scale})};
   });
   needs_part_in<1, 4>(t, "s > 0", [](auto d) {
@@ -103,7 +103,7 @@ void half_space_hypotheses_need_each_part(Suite& t) {
     const auto turned = cap_of_half_space(c.surface, c.half_space, Rational(-c.scale));
     RC_ASSERT(half_space_is_cap_repaired(c.surface, c.half_space, Rational(-c.scale), c.point) == Verdict::holds);
     RC_ASSERT(is_cap_of_half_space(c.surface, c.half_space, turned) == Verdict::fails);
-    return Violation{is_cap_scale(c.surface, c.half_space, Rational(-c.scale)),
+    return Weakening{is_cap_scale(c.surface, c.half_space, Rational(-c.scale)),
                      definitions_agree(c.half_space, turned.cap, c.point)};
   });
   needs_part_in<1, 4>(t, "||s d|| = r, with s too large or too small", [](auto d) {
@@ -114,7 +114,7 @@ void half_space_hypotheses_need_each_part(Suite& t) {
     RC_ASSERT(half_space_is_cap_repaired(c.surface, c.half_space, scale, c.point) == Verdict::holds);
     const auto made = cap_of_half_space(c.surface, c.half_space, scale);
     RC_ASSERT(is_cap_of_half_space(c.surface, c.half_space, made) == Verdict::fails);
-    return Violation{is_cap_scale(c.surface, c.half_space, scale),
+    return Weakening{is_cap_scale(c.surface, c.half_space, scale),
                      made.verdict & definitions_agree(c.half_space, made.cap, c.point)};
   });
   needs_part_in<1, 4>(t, "the point is on the surface", [](auto d) {
@@ -130,7 +130,7 @@ void half_space_hypotheses_need_each_part(Suite& t) {
     RC_ASSERT(half_space_is_cap_repaired(c.surface, c.half_space, c.scale, x) == Verdict::holds);
     RC_ASSERT(half_space_is_cap_printed(c.surface, c.half_space, c.scale, x) == Verdict::holds);
     RC_ASSERT(cap_is_half_space_repaired(cap, x) == Verdict::holds);
-    return Violation{on_surface(c.surface, x), definitions_agree(c.half_space, cap, x)};
+    return Weakening{on_surface(c.surface, x), definitions_agree(c.half_space, cap, x)};
   });
 }
 
@@ -141,7 +141,7 @@ void cap_hypotheses_need_each_part(Suite& t) {
     const auto made = half_space_of_cap(cap);
     RC_ASSERT(is_half_space_of_cap(cap, made) == Verdict::fails);
     RC_ASSERT(cap_is_half_space_repaired(cap, center) == Verdict::holds);
-    return Violation{is_proper_cap(cap), made.verdict};
+    return Weakening{is_proper_cap(cap), made.verdict};
   });
   needs_part_in<1, 4>(t, "of a cap, cos(alpha) <= 1", [](auto d) {
     auto c = *gen::cap_point<d>().as("case");
@@ -152,7 +152,7 @@ void cap_hypotheses_need_each_part(Suite& t) {
     const auto made = half_space_of_cap(c.cap);
     RC_ASSERT(is_half_space_of_cap(c.cap, made) == Verdict::fails);
     RC_ASSERT(cap_is_half_space_repaired(c.cap, c.point) == Verdict::holds);
-    return Violation{is_proper_cap(c.cap), made.verdict};
+    return Weakening{is_proper_cap(c.cap), made.verdict};
   });
 }
 

@@ -4,8 +4,8 @@
 #include "proptests/counterexamples/lemma2_normalization.hpp"
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/hull.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/harness/harness.hpp"
-#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/rotation.hpp"
 
@@ -59,7 +59,7 @@ void hypotheses_need_each_part(Suite& t) {
     const auto made = weights_on_same_ray(hull.weights, factors);
     const auto check = is_same_ray(hull.vectors, hull.weights, divided(hull.vectors, factors), made);
     RC_ASSERT(check == made.verdict);
-    return Violation{are_positive(factors), made.verdict};
+    return Weakening{are_positive(factors), made.verdict};
   });
   t.holds("one factor that is 0, wherever it stands, is refused", {.number_type = "rational"}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {
@@ -84,7 +84,7 @@ void hypotheses_need_each_part(Suite& t) {
     lengths[k] = kind == 0 ? Rational(lengths[k] * factor) : kind == 1 ? Rational(lengths[k] / factor) : Rational(-lengths[k]);
     // The lengths are to make the divided vectors units.
     const auto units = divided(hull.vectors, lengths);
-    return Violation{are_lengths(hull.vectors, lengths), are_positive(lengths) & equal(squared_norm(units[k]), Rational(1))};
+    return Weakening{are_lengths(hull.vectors, lengths), are_positive(lengths) & equal(squared_norm(units[k]), Rational(1))};
   });
   needs_part_in<1, 4>(t, "the weights are convex", [](auto d) {
     const auto hull = hull_of_several<d>();
@@ -105,7 +105,7 @@ void hypotheses_need_each_part(Suite& t) {
     const auto made = weights_on_same_ray(weights, hull.lengths);
     // The sum of the weights need not be 1 for a ray; a negative weight leaves it.
     RC_ASSERT(made.verdict == verdict_of(!keeps_sum));
-    return Violation{is_convex<Rational>(weights), made.verdict};
+    return Weakening{is_convex<Rational>(weights), made.verdict};
   });
   t.holds("nothing is claimed of a blend that is 0 if the numbers are no lengths, or the weights not convex",
           {.number_type = "rational"}, [] {

@@ -4,8 +4,8 @@
 #include "proptests/counterexamples/lemma3_sphere_surface_intersection.hpp"
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/surface.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/harness/harness.hpp"
-#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/nearest_on_surface.hpp"
 #include "proptests/oracles/number_types.hpp"
 
@@ -80,7 +80,7 @@ void hypotheses_need_each_part(Suite& t) {
     RC_ASSERT(intersection_distance_repaired(c.surface, c.ball) == Verdict::holds);
     const auto made = intersection_cap(c.surface, c.ball);
     RC_ASSERT(is_intersection_cap(c.surface, c.ball, made) == Verdict::fails);
-    return Violation{are_eccentric(c.surface, c.ball), made.verdict};
+    return Weakening{are_eccentric(c.surface, c.ball), made.verdict};
   });
   needs_part_in<1, 4>(t, "the ball meets the surface", [](auto d) {
     auto c = eccentric<d>();
@@ -90,7 +90,7 @@ void hypotheses_need_each_part(Suite& t) {
     c.ball.squared_radius = sq(Rational(delta2 - c.surface.squared_radius)) / (Rational(4) * (delta2 + c.surface.squared_radius));
     RC_PRE(delta2 != c.surface.squared_radius);
     RC_ASSERT(intersection_is_cap_repaired(c.surface, c.ball, c.point) == Verdict::holds);
-    return Violation{surface_meets_ball(c.surface, c.ball), intersection_cap(c.surface, c.ball).verdict};
+    return Weakening{surface_meets_ball(c.surface, c.ball), intersection_cap(c.surface, c.ball).verdict};
   });
   needs_part_in<1, 4>(t, "the point is on the surface", [](auto d) {
     auto c = eccentric<d>();
@@ -99,7 +99,7 @@ void hypotheses_need_each_part(Suite& t) {
     RC_ASSERT(intersection_is_cap_repaired(c.surface, c.ball, c.point) == Verdict::holds);
     RC_ASSERT(intersection_is_cap_printed(c.surface, c.ball, c.point) == Verdict::holds);
     const auto made = intersection_cap(c.surface, c.ball);
-    return Violation{on_surface(c.surface, c.point), ball_and_half_space_agree(c.ball, made.half_space, c.point)};
+    return Weakening{on_surface(c.surface, c.point), ball_and_half_space_agree(c.ball, made.half_space, c.point)};
   });
   needs_part_in<1, 4>(t, "of the distance: e >= 0", [](auto d) {
     auto c = eccentric<d>();
@@ -113,7 +113,7 @@ void hypotheses_need_each_part(Suite& t) {
     RC_ASSERT(intersection_distance_repaired(c.surface, c.ball) == Verdict::holds);
     const auto made = nearest_point_of_intersection_cap(c.surface, c.ball);
     const auto h = intersection_cap(c.surface, c.ball).half_space;
-    return Violation{made.verdict, is_nearest_point(h, c.surface.center, made)};
+    return Weakening{made.verdict, is_nearest_point(h, c.surface.center, made)};
   });
 }
 

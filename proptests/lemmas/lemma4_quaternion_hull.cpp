@@ -5,8 +5,8 @@
 #include "proptests/gen/cap_angle.hpp"
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/hull.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/harness/harness.hpp"
-#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests::suite_lemma4_quaternion_hull {
@@ -90,7 +90,7 @@ void hypotheses_need_each_part(Suite& t) {
     hull.weights = *gen::convex_weights(4).as("weights");
     const auto weights = weights_towards<d>(hull, k);
     says_nothing<d>(hull, weights);
-    return Violation{are_units_enclosed(hull.ball, hull.units),
+    return Weakening{are_units_enclosed(hull.ball, hull.units),
                      direction_is_enclosed(hull.ball, combine<Rational, d>(weights, hull.units))};
   });
   needs_part_in<1, 4>(
@@ -104,7 +104,7 @@ void hypotheses_need_each_part(Suite& t) {
         const auto b = combine<Rational, d>(weights, hull.units);
         RC_PRE(b != gen::RationalVec<d>::Zero());
         says_nothing<d>(hull, weights);
-        return Violation{are_units_enclosed(hull.ball, hull.units), rotation_is_enclosed(hull.ball, b)};
+        return Weakening{are_units_enclosed(hull.ball, hull.units), rotation_is_enclosed(hull.ball, b)};
       },
       300);
   needs_part_in<2, 4>(
@@ -119,7 +119,7 @@ void hypotheses_need_each_part(Suite& t) {
         const auto b = combine<Rational, d>(weights, hull.units);
         RC_PRE(b != gen::RationalVec<d>::Zero());
         says_nothing<d>(hull, weights);
-        return Violation{is_convex<Rational>(weights), rotation_is_enclosed(hull.ball, b)};
+        return Weakening{is_convex<Rational>(weights), rotation_is_enclosed(hull.ball, b)};
       },
       300);
 }

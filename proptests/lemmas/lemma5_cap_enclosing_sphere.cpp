@@ -4,8 +4,8 @@
 #include "proptests/counterexamples/lemma5_cap_enclosing_sphere.hpp"
 #include "proptests/gen/cap.hpp"
 #include "proptests/gen/dimension.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/harness/harness.hpp"
-#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests::suite_lemma5_cap_enclosing_sphere {
@@ -45,20 +45,20 @@ void rim_hypotheses_need_each_part(Suite& t) {
     RC_PRE(tilt.cosine != Rational(0));
     // The direction is as long.
     c.rim_direction = (c.cap.apex - c.cap.center) * tilt.cosine + c.rim_direction * tilt.sine;
-    return Violation{is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
+    return Weakening{is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
   });
   needs_part_in<2, 4>(t, "v is as long as the axis, not longer and not shorter", [=](auto d) {
     auto c = narrow_cap<d>();
     const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
     c.rim_direction = *rc::gen::arbitrary<bool>().as("longer") ? gen::RationalVec<d>(c.rim_direction * factor)
                                                                : gen::RationalVec<d>(c.rim_direction / factor);
-    return Violation{is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
+    return Weakening{is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
   });
   needs_part_in<2, 4>(t, "cos^2 + sin^2 = 1, not more and not less", [=](auto d) {
     auto c = narrow_cap<d>();
     const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
     c.sine = *rc::gen::arbitrary<bool>().as("more") ? Rational(c.sine * factor) : Rational(c.sine / factor);
-    return Violation{is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
+    return Weakening{is_rim(c.cap, c.sine, c.rim_direction), made_by(c)};
   });
   needs_part_in<2, 4>(t, "cos(alpha) <= 1", [](auto d) {
     auto c = narrow_cap<d>();
@@ -70,7 +70,7 @@ void rim_hypotheses_need_each_part(Suite& t) {
     const Cap<Rational, d> no_radius{c.cap.center, c.cap.center, c.cap.cos_angle};
     const gen::RationalVec<d> none = gen::RationalVec<d>::Zero();
     RC_ASSERT(smallest_cap_ball(no_radius, Rational(0), none).verdict == Verdict::fails);
-    return Violation{cap_has_points(c.cap), made.verdict};
+    return Weakening{cap_has_points(c.cap), made.verdict};
   });
   t.holds("a sine is not negative; that of the angles 0 and pi is 0", {.number_type = "rational"}, [] {
     gen::for_some_dimension<2, 4>([](auto d) {
@@ -92,13 +92,13 @@ void cap_hypotheses_need_each_part(Suite& t) {
     RC_PRE(contains(c.cap, c.point) == Verdict::fails);
     RC_ASSERT(cap_ball_encloses_repaired(c.cap, c.point) == Verdict::holds);
     RC_ASSERT(cap_ball_encloses_printed(c.cap, c.point) == Verdict::holds);
-    return Violation{contains(c.cap, c.point), encloses(cap_ball_repaired(c.cap), c.point)};
+    return Weakening{contains(c.cap, c.point), encloses(cap_ball_repaired(c.cap), c.point)};
   });
   needs_part_in<1, 4>(t, "as printed, the cap's center is 0", [](auto d) {
     const auto c = *gen::cap_point<d>().as("case");
     RC_PRE(c.cap.center != gen::RationalVec<d>::Zero());
     RC_ASSERT(cap_ball_encloses_printed(c.cap, c.point) == Verdict::holds);
-    return Violation{cap_ball_hypotheses_printed(c.cap), encloses(cap_ball_printed(c.cap), c.point)};
+    return Weakening{cap_ball_hypotheses_printed(c.cap), encloses(cap_ball_printed(c.cap), c.point)};
   });
   t.holds("as printed, the cosine is that of an angle", {.number_type = "rational"}, [] {
     gen::for_some_dimension<1, 4>([](auto d) {

@@ -3,10 +3,10 @@
 
 #include "algorithms/bake/weight_vertices.hpp"
 #include "proptests/counterexamples/s41_weight_vertices_span.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/gen/weight_bounds.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness/harness.hpp"
-#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests::suite_s41_weight_vertices_span {
@@ -53,7 +53,7 @@ void hypotheses_need_each_part(Suite& t) {
     weight_vertices.erase(weight_vertices.begin() + static_cast<std::ptrdiff_t>(k));
     RC_ASSERT(weight_vertices_are_admissible(b.bounds, weight_vertices) == Verdict::holds);
     RC_ASSERT(weight_vertices_are_complete(b.bounds, weight_vertices) == Verdict::fails);
-    return Violation{weight_vertices_span_hypotheses(b.bounds, weight_vertices),
+    return Weakening{weight_vertices_span_hypotheses(b.bounds, weight_vertices),
                      weight_vertices_span(b.bounds, weight_vertices, missing).verdict};
   });
   needs_part(t, "one of the listed points is not admissible: a bound or the sum is violated by one coordinate", [] {
@@ -72,7 +72,7 @@ void hypotheses_need_each_part(Suite& t) {
     RC_ASSERT(weight_vertices_are_admissible(b.bounds, weight_vertices) == Verdict::fails);
     RC_ASSERT(weight_vertices_are_complete(b.bounds, weight_vertices) == Verdict::holds);
     RC_ASSERT(weight_vertices_are_proper(b.bounds, weight_vertices) == Verdict::fails);
-    return Violation{weight_vertices_span_hypotheses(b.bounds, weight_vertices),
+    return Weakening{weight_vertices_span_hypotheses(b.bounds, weight_vertices),
                      weight_vertices_combine(b.bounds, weight_vertices, only(k, weight_vertices.size())).verdict};
   });
   needs_part(t, "one of the weights is beyond one of its bounds", [] {
@@ -84,7 +84,7 @@ void hypotheses_need_each_part(Suite& t) {
     const Rational way = high ? Rational(b.bounds.high[i] - w[i] + amount) : Rational(b.bounds.low[i] - w[i] - amount);
     w[i] += way;
     w[(i + 1) % n] -= way;
-    return Violation{admits<Rational>(b.bounds, w), weight_vertices_span(b.bounds, b.vertices, w).verdict};
+    return Weakening{admits<Rational>(b.bounds, w), weight_vertices_span(b.bounds, b.vertices, w).verdict};
   });
 }
 

@@ -4,10 +4,10 @@
 #include "proptests/counterexamples/s42_linear_part_hull.hpp"
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/vector.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/gen/weight_bounds.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness/harness.hpp"
-#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests::suite_s42_linear_part_hull {
@@ -63,7 +63,7 @@ void hypotheses_need_each_part(Suite& t) {
     const auto k = static_cast<std::ptrdiff_t>(part.some_weight_vertex());
     const Weights missing = part.weights.vertices[static_cast<std::size_t>(k)];
     part.weights.vertices.erase(part.weights.vertices.begin() + k);
-    return Violation{part.hypotheses(), part.in_hull(missing).verdict};
+    return Weakening{part.hypotheses(), part.in_hull(missing).verdict};
   });
   needs_part(t, "one of the listed weight vertices is not admissible", [] {
     SeveralWeightVertices part;
@@ -73,7 +73,7 @@ void hypotheses_need_each_part(Suite& t) {
     outside[0] -= Rational(2), outside[1] += Rational(2);
     weight_vertices.insert(weight_vertices.begin() + static_cast<std::ptrdiff_t>(k), outside);
     only[k] = 1;
-    return Violation{part.hypotheses(), part.from_hull(only).verdict};
+    return Weakening{part.hypotheses(), part.from_hull(only).verdict};
   });
   t.holds("a point more or less than there are weights is refused", {.number_type = "rational"}, [] {
     SeveralWeightVertices part;
@@ -92,7 +92,7 @@ void hypotheses_need_each_part(Suite& t) {
     const Rational way = part.weights.bounds.high[i] - w[i] + *gen::positive_rational().as("amount");
     w[i] += way, w[(i + 1) % w.size()] -= way;
     RC_ASSERT(part.in_hull(w).verdict == Verdict::fails);
-    return Violation{admits<Rational>(part.weights.bounds, w), part.in_hull(w).verdict};
+    return Weakening{admits<Rational>(part.weights.bounds, w), part.in_hull(w).verdict};
   });
 }
 

@@ -4,8 +4,8 @@
 #include "proptests/counterexamples/s43_distance_range.hpp"
 #include "proptests/gen/dimension.hpp"
 #include "proptests/gen/sphere_point.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/harness/harness.hpp"
-#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests::suite_s43_distance_range {
@@ -89,7 +89,7 @@ void hypotheses_by_point_need_each_part(Suite& t) {
     BallAndUnit<3> b;
     b.center = Vec<Rational, 3>::Zero();
     b.squared_radius = 1;
-    return Violation{b.hypotheses(), b.conclusion()};
+    return Weakening{b.hypotheses(), b.conclusion()};
   });
   needs_part(t, "x is a unit vector, no longer and no shorter", [] {
     BallAndUnit<3> b;
@@ -97,18 +97,18 @@ void hypotheses_by_point_need_each_part(Suite& t) {
     b.x = *rc::gen::arbitrary<bool>().as("longer") ? Vec<Rational, 3>(b.x * factor) : Vec<Rational, 3>(b.x / factor);
     b.squared_radius = squared_distance(b.x, b.center);
     RC_PRE(is_at_most_half(b.center, b.squared_radius) == Verdict::holds);
-    return Violation{b.hypotheses(), b.conclusion()};
+    return Weakening{b.hypotheses(), b.conclusion()};
   });
   needs_part(t, "x is in the ball", [] {
     BallAndUnit<3> b;
     b.squared_radius /= Rational(1) + *gen::positive_rational().as("factor");
     RC_PRE(b.squared_radius > 0);
-    return Violation{b.hypotheses(), b.conclusion()};
+    return Weakening{b.hypotheses(), b.conclusion()};
   });
   needs_part(t, "r^2 <= 1 + ||c||^2", [] {
     BallAndUnit<3> b;
     b.squared_radius = Rational(1) + squared_norm(b.center) + *gen::positive_rational().as("amount");
-    return Violation{b.hypotheses(), b.conclusion()};
+    return Weakening{b.hypotheses(), b.conclusion()};
   });
   t.holds("a vector is a witness of the range only if it is short enough and in the ball", {.number_type = "rational"}, [] {
     // For a ball about a unit vector u, with r = 1, N is 1, so the witness needs 1/2 <= (x, u) <= 1.

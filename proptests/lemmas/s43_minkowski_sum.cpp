@@ -4,8 +4,8 @@
 #include "proptests/counterexamples/s43_minkowski_sum.hpp"
 #include "proptests/gen/quaternion.hpp"
 #include "proptests/gen/sphere_point.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/harness/harness.hpp"
-#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests::suite_s43_minkowski_sum {
@@ -54,7 +54,7 @@ void hypotheses_need_each_part(Suite& t) {
     RC_ASSERT(is_rotated<Rational>(c.blend, c.ball.center - c.pivot, center) == Verdict::holds);
     RC_ASSERT(is_rotated<Rational>(c.blend, c.offset, point) == Verdict::holds);
     const TurnedPoint<Rational> witness{c.ball.center + c.offset, point - center, center, point};
-    return Violation{minkowski_sum_hypotheses(c.blend), is_turned_point(c.blend, c.ball, c.pivot, witness)};
+    return Weakening{minkowski_sum_hypotheses(c.blend), is_turned_point(c.blend, c.ball, c.pivot, witness)};
   });
   needs_part(t, "the point is in the ball, and the offset no longer than its radius", [] {
     const TurnedBall c;
@@ -62,7 +62,7 @@ void hypotheses_need_each_part(Suite& t) {
     const Verdict turned = turned_ball_in_sum<Rational>(c.blend, c.ball, c.pivot, c.ball.center + far).verdict;
     const Verdict summed = sum_in_turned_ball<Rational>(c.blend, c.ball, c.pivot, far).verdict;
     RC_ASSERT(turned == summed);
-    return Violation{encloses<Rational, 3>(c.ball, c.ball.center + far), turned};
+    return Weakening{encloses<Rational, 3>(c.ball, c.ball.center + far), turned};
   });
   needs_part(t, "the radius is not negative", [] {
     TurnedBall c;
@@ -70,7 +70,7 @@ void hypotheses_need_each_part(Suite& t) {
     // Its square is as large.
     c.ball.radius = -c.ball.radius;
     RC_ASSERT(c.summed().verdict == Verdict::fails);
-    return Violation{encloses<Rational, 3>(c.ball, c.ball.center + c.offset), c.turned().verdict};
+    return Weakening{encloses<Rational, 3>(c.ball, c.ball.center + c.offset), c.turned().verdict};
   });
 }
 

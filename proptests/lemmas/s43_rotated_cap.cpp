@@ -5,8 +5,8 @@
 #include "proptests/gen/cap_angle.hpp"
 #include "proptests/gen/quaternion.hpp"
 #include "proptests/gen/sphere_point.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/harness/harness.hpp"
-#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests::suite_s43_rotated_cap {
@@ -41,7 +41,7 @@ void hypotheses_need_each_part(Suite& t) {
     RC_PRE(beyond.cosine < c.angle.cosine);
     c.rotation = (c.frame.first * beyond.cosine + c.frame.second * beyond.sine) * *gen::positive_rational();
     const Vector v = *gen::nonzero_vector<3>();
-    return Violation{rotated_cap_hypotheses(c.apex, c.angle.cosine, c.rotation),
+    return Weakening{rotated_cap_hypotheses(c.apex, c.angle.cosine, c.rotation),
                      rotated_cap(c.apex, c.rotation, v, rotated_cap_cosine_repaired(c.angle.cosine)).verdict};
   });
   t.holds("neither the apex nor the rotation of a cap is 0, nor the apex of a filled one", {.number_type = "rational"}, [] {
@@ -64,7 +64,7 @@ void hypotheses_need_each_part(Suite& t) {
     const Rational factor = Rational(1) + *gen::positive_rational().as("factor");
     const Vector turned = rotate_by(c.apex, v);
     const Vector x = *rc::gen::arbitrary<bool>().as("longer") ? Vector(turned * factor) : Vector(turned / factor);
-    return Violation{filled_cap_hypotheses(c.apex, v, x, rotated_cap_cosine_repaired(c.angle.cosine)),
+    return Weakening{filled_cap_hypotheses(c.apex, v, x, rotated_cap_cosine_repaired(c.angle.cosine)),
                      rotation_onto(c.apex, c.angle.cosine, v, x).verdict};
   });
   needs_part(t, "x is within the doubled angle", [] {
@@ -76,7 +76,7 @@ void hypotheses_need_each_part(Suite& t) {
     RC_PRE(beyond.cosine < cosine);
     const Vector v = rotate_by<Rational>(conjugate(c.apex), frame.first);
     const Vector x = frame.first * beyond.cosine + frame.second * beyond.sine;
-    return Violation{filled_cap_hypotheses(c.apex, v, x, cosine), rotation_onto(c.apex, c.angle.cosine, v, x).verdict};
+    return Weakening{filled_cap_hypotheses(c.apex, v, x, cosine), rotation_onto(c.apex, c.angle.cosine, v, x).verdict};
   });
 }
 

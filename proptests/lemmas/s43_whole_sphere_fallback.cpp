@@ -6,9 +6,9 @@
 #include "proptests/gen/quaternion.hpp"
 #include "proptests/gen/sphere_point.hpp"
 #include "proptests/gen/vector.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness/harness.hpp"
-#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 
 namespace proptests::suite_s43_whole_sphere_fallback {
@@ -85,7 +85,7 @@ void hypotheses_need_each_part(Suite& t) {
     c.squared_radius = max_of(c.squared_radius, squared_distance(c.units[k], c.center));
     RC_PRE(ball_makes_cap(c.center, c.squared_radius) == Verdict::holds);
     lean_on(c, k);
-    return Violation{units_of(c), is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend_of(c))};
+    return Weakening{units_of(c), is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend_of(c))};
   });
   needs_part(t, "one of the units is not in the ball, the others are", [] {
     Case c = several_in_cap();
@@ -93,7 +93,7 @@ void hypotheses_need_each_part(Suite& t) {
     c.units[k] = *gen::unit_quaternion();
     RC_PRE(squared_distance(c.units[k], c.center) > c.squared_radius);
     lean_on(c, k);
-    return Violation{units_of(c), blend_of(c).verdict};
+    return Weakening{units_of(c), blend_of(c).verdict};
   });
   needs_part(t, "the coefficients are convex", [] {
     Case c = several_in_cap();
@@ -101,7 +101,7 @@ void hypotheses_need_each_part(Suite& t) {
     const Rational amount = *gen::positive_rational().as("amount");
     c.coefficients[(k + 1) % c.units.size()] += c.coefficients[k] + amount;
     c.coefficients[k] = -amount;
-    return Violation{is_convex<Rational>(c.coefficients), blend_of(c).verdict};
+    return Weakening{is_convex<Rational>(c.coefficients), blend_of(c).verdict};
   });
   needs_part(t, "r^2 < 1 + ||c||^2, and not equal to it either", [] {
     // Two units are on the rim of a cap of a half or more: their middle is 0 or behind.
@@ -118,7 +118,7 @@ void hypotheses_need_each_part(Suite& t) {
     const auto blend = blend_of(c);
     RC_ASSERT(is_blend_in_cap<Rational>(c.units, c.center, c.squared_radius, c.coefficients, blend) == Verdict::fails);
     RC_ASSERT(rotated_vectors_cap_repaired(c.center, c.squared_radius).cos_angle == -1);
-    return Violation{ball_makes_cap(c.center, c.squared_radius), blend.verdict};
+    return Weakening{ball_makes_cap(c.center, c.squared_radius), blend.verdict};
   });
   t.holds("units on the surface of their ball are in it", {.number_type = "rational"}, [] {
     const auto u = *gen::unit_quaternion(), center = *gen::rational_vector<4>();

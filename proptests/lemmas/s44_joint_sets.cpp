@@ -4,9 +4,9 @@
 #include "proptests/counterexamples/s44_joint_sets.hpp"
 #include "proptests/gen/rigid.hpp"
 #include "proptests/gen/sphere_point.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/gen/weight_bounds.hpp"
 #include "proptests/harness/harness.hpp"
-#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
@@ -66,7 +66,7 @@ bool is_vertex(const Node& n) {
 }
 
 // Judges the case of the theorem: the ball around the balls of all joint-sets.
-Violation of(const Node& n) {
+Weakening of(const Node& n) {
   const auto ball = ball_around(joint_set_balls_repaired<Rational>(n.sets, n.reference.center));
   return {is_vertex_of<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients),
           joint_set_vertex<Rational>(ball, n.own(), n.reference, n.weights, n.vertex).verdict};

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/s44_sum_of_bounds.hpp"
 
+#include "lemmas/s42_linear_part_hull.hpp"
 #include "proptests/counterexamples/s44_sum_of_bounds.hpp"
 #include "proptests/gen/sphere_point.hpp"
+#include "proptests/gen/weakening.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness/harness.hpp"
-#include "proptests/lemmas/lemma_parts.hpp"
 #include "proptests/oracles/number_types.hpp"
 #include "proptests/oracles/upper_root.hpp"
 
@@ -57,7 +58,7 @@ s44_sum::Case several_points() {
   return c;
 }
 
-Violation of(const s44_sum::Case& c) {
+Weakening of(const s44_sum::Case& c) {
   return {sum_of_bounds_hypotheses(c.ball, c.bounds, c.parts), sum_of_bounds(c.ball, c.bounds, c.parts).verdict};
 }
 

@@ -108,7 +108,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 
 void hypotheses_and_minima_need_each_part(Suite& t) {
   needs_each_part(
-      t, "each part of the hypotheses is looked at by itself", 0.2,
+      t, "each part of the hypotheses is looked at by itself", {.parts = 8, .share = 0.1},
       [] {
         auto units = *rc::gen::mapcat(rc::gen::inRange(3, 6), [](int m) {
           return rc::gen::container<std::vector<Vec<Rational, 3>>>(m, gen::sphere_point<3>());
@@ -148,7 +148,7 @@ void hypotheses_and_minima_need_each_part(Suite& t) {
         return Weakening{part, min_dot_distance_hypotheses<Rational, 3>(units, center, r2),
                          min_dot_distance<Rational, 3>(units, center, r2).verdict};
       },
-      600);
+      1200);
   t.holds("a minimum of another unit is rejected", {.number_type = "rational", .cases = 300}, [] {
     const UnitsAndCenter<3> c;
     const auto good = c.distance();

@@ -143,7 +143,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 
 void hypotheses_need_each_part(Suite& t) {
   needs_each_part(
-      t, "each part of the hypotheses is looked at by itself", 0.1,
+      t, "each part of the hypotheses is looked at by itself", {.parts = 14, .share = 0.1},
       [] {
         Case c = any_case(3);
         const std::size_t m = c.quaternions.size(), k = gen::any_place(m);
@@ -182,7 +182,7 @@ void hypotheses_need_each_part(Suite& t) {
                                std::any_of(c.coefficients.begin(), c.coefficients.end(), [](const Rational& u) { return u < 0; });
         return Weakening{part, hypotheses_of(c), is_needed ? std::optional(one_cap_holds(c)) : std::nullopt};
       },
-      900);
+      2700);
   t.holds("on the edge of a hypothesis it holds", {.number_type = "rational", .cases = 300}, [] {
     Case c = any_case(3);
     RC_ASSERT(hypotheses_of(c) == Verdict::holds);

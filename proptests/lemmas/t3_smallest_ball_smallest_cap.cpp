@@ -138,7 +138,7 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
 
 void hypotheses_need_each_part(Suite& t) {
   needs_each_part(
-      t, "each part of the hypotheses is looked at by itself", 0.5,
+      t, "each part of the hypotheses is looked at by itself", {.parts = 10, .share = 0.5},
       [] {
         UnitsOnOneSide<3> c;
         auto& units = c.units;
@@ -188,7 +188,7 @@ void hypotheses_need_each_part(Suite& t) {
                            is_smallest_ball<Rational, 3>(units, u, nearest, Rational(1) - squared_norm(nearest))};
         return Weakening{part, hypothesis, smallest_cap<Rational, 3>(units, u).verdict};
       },
-      900);
+      1500);
 }
 
 void each_part_of_a_certificate_is_checked(Suite& t) {

@@ -245,7 +245,7 @@ void numbers_are_lifted_and_compared(Suite& t) {
 
 void weights_are_convex_within_bounds(Suite& t) {
   needs_each_part(
-      t, "convex weights: each sign, and the sum from both sides", 0,
+      t, "convex weights: each sign, and the sum from both sides", {.parts = 5, .share = 0},
       [] {
         const auto broken = gen::broken_weights(*gen::convex_weights(*rc::gen::inRange(1, 6)));
         return Weakening{broken.part, is_convex(Span(broken.weights)), {}};
@@ -261,7 +261,7 @@ void weights_are_convex_within_bounds(Suite& t) {
     RC_ASSERT(is_convex(Span(none)) == Verdict::fails);
   });
   needs_each_part(
-      t, "weight bounds: each bound of each weight, and the sum", 0,
+      t, "weight bounds: each bound of each weight, and the sum", {.parts = 8, .share = 0},
       [] {
         auto w = *gen::convex_weights(*rc::gen::inRange(2, 6));
         const std::size_t n = w.size(), k = gen::any_place(n);

@@ -113,8 +113,13 @@ S root_of(const S& x) {
 }
 
 template <class S>
+S product_of_entries(const refitlab::Quaternion<S>& a, const refitlab::Quaternion<S>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+template <class S>
 refitlab::Quaternion<S> unit(refitlab::Quaternion<S> q) {
-  const S length = root_of(S(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]));
+  const S length = root_of(product_of_entries<S>(q, q));
   for (int i = 0; i < 4; ++i) q[i] = q[i] / length;
   return q;
 }
@@ -303,7 +308,7 @@ class AnimatedSkin {
       if (!p) p = rest();
       if (!q) q = rest();
       bool is_opposite = false;
-      const double cosine = middle_of(refitlab::dot<S, 4>(p->turn, q->turn));
+      const double cosine = middle_of(product_of_entries<S>(p->turn, q->turn));
       const auto sign = std::find_if(signs.begin(), signs.end(), [&](const auto& s) { return s.node == static_cast<int>(n); });
       if (sign != signs.end()) is_opposite = sign->is_opposite;
       else if (std::abs(cosine) < 1e-13) throw Ambiguous();
@@ -349,7 +354,7 @@ class AnimatedSkin {
       const auto& joint = joints_[influence.joint];
       Quaternion<S> turn = joint.turn;
       if (!transforms.empty()) {
-        const double cosine = middle_of(dot<S, 4>(transforms[0].rotation, turn));
+        const double cosine = middle_of(product_of_entries<S>(transforms[0].rotation, turn));
         if (std::abs(cosine) < 1e-14) throw Ambiguous();
         if (cosine < 0)
           for (int i = 0; i < 4; ++i) turn[i] = S(0) - turn[i];

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "algorithms/runtime/refit/dual_quaternion.hpp"
+#include "algorithms/runtime/refit/refit_dual_quaternion.hpp"
 
 namespace proptests::oracle {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "algorithms/runtime/refit/control_hull.hpp"
-#include "algorithms/runtime/refit/dual_quaternion.hpp"
+#include "algorithms/runtime/refit/refit_dual_quaternion.hpp"
 #include "algorithms/runtime/skinning/rotation_center.hpp"
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "proptests/gen/skinned_samples.hpp"

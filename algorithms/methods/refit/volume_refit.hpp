@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "algorithms/runtime/refit/control_hull.hpp"
-#include "algorithms/runtime/refit/dual_quaternion.hpp"
-#include "algorithms/runtime/refit/linear.hpp"
+#include "algorithms/runtime/refit/refit_dual_quaternion.hpp"
+#include "algorithms/runtime/refit/refit_linear.hpp"
 #include "algorithms/runtime/refit/rounding.hpp"
 
 namespace refitlab {

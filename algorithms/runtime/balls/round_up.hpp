@@ -13,7 +13,7 @@ namespace refitlab {
 // distance, as the root of at most four squares, is off by 2 times their root, which is 2^-536 and 2^-73.5. A radius is made of a
 // few distances. If numbers that underflow become 0, as in many other programs, the least numbers are 2^-1022 and 2^-126, and the
 // distances are off by 2^-510 and 2^-62. The rest is for divisions of a distance by less than 1, as by the cosine of a blend to
-// its axis, in double (algorithms/runtime/refit/dual_quaternion.hpp).
+// its axis, in double (algorithms/runtime/refit/refit_dual_quaternion.hpp).
 template <class S>
 constexpr S underflow_of_distance() {
   static_assert(std::is_same_v<S, double> || std::is_same_v<S, float>);

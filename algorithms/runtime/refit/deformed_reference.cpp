@@ -10,7 +10,7 @@
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
-#include "algorithms/runtime/refit/linear.hpp"
+#include "algorithms/runtime/refit/refit_linear.hpp"
 #include "algorithms/runtime/refit/rounding.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "lemmas/a3_morph_displacement.hpp"

@@ -35,7 +35,7 @@
 // Dual quaternions: 2 ||d_j|| <= t, so that translations are at most kappa t. For a given blend the formula loses 23 of ||p|| and
 // 15 of translations; q and d are off by n of their lengths. For a control ball, near weight vertices have ||q'_k|| ||q'_l|| <
 // sqrt 2 W_kl. The quotient N / W has an error of 46, and 27 of translations. The weight vertices are off by n + 4 of both
-// lengths. Beyond a right angle the ball of b6_dual_quaternion_ball accounts for its own rounding (dual_quaternion.hpp).
+// lengths. Beyond a right angle the ball of b6_dual_quaternion_ball accounts for its own rounding (refit_dual_quaternion.hpp).
 //
 // proptests/algorithms/control_budgets.cpp derives the constants of control balls and of affine joints from the refits' own
 // templates, and bound_budgets.cpp those of vertices. palette_rounding.cpp there compares them with running errors.

@@ -2,10 +2,11 @@
 // Tests that the list of errors is complete. Whether the suites that it names provoke them is checked when they have run
 // (main.cpp).
 #include "proptests/harness/error_list.hpp"
+
 #include "proptests/harness/harness.hpp"
 #include "proptests/harness/session.hpp"
 
-namespace proptests::suite_errors {
+namespace proptests::suite_error_list {
 namespace {
 
 const std::vector<ListedError>& list() {
@@ -21,7 +22,7 @@ Checked none_of(const std::vector<std::string>& complaints) {
 
 }  // namespace
 
-PROPTEST(errors) {
+PROPTEST(error_list) {
   t.example("whatever throws an error is on the list", {}, [] { return none_of(unlisted_errors(list())); });
   t.example("every error of the list names a suite that there is, or why it cannot be provoked", {}, [] {
     std::vector<std::string> unknown;
@@ -42,4 +43,4 @@ PROPTEST(errors) {
   });
 }
 
-}  // namespace proptests::suite_errors
+}  // namespace proptests::suite_error_list

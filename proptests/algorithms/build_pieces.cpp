@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Tests the pieces of nodes: they hold all vertices, are split as the options say, and may be listed as vertices instead.
+#include "algorithms/bake/build_pieces.hpp"
+
 #include <algorithm>
 #include <set>
 
-#include "algorithms/bake/build_pieces.hpp"
 #include "algorithms/bake/build_tree.hpp"
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 #include "experiments/procedural/procedural.hpp"
@@ -12,7 +14,7 @@
 #include "proptests/oracles/convex_combination.hpp"
 #include "proptests/oracles/weight_vertices.hpp"
 
-namespace proptests::suite_pieces {
+namespace proptests::suite_build_pieces {
 namespace {
 
 using namespace refitlab;
@@ -422,7 +424,7 @@ void what_is_listed_by_its_vertices(Suite& t) {
 
 }  // namespace
 
-PROPTEST(pieces) {
+PROPTEST(build_pieces) {
   pieces_hold_all_vertices_and_get_smaller(t);
   what_is_split_and_how(t);
   what_is_listed_by_its_vertices(t);
@@ -439,4 +441,4 @@ PROPTEST(pieces) {
   });
 }
 
-}  // namespace proptests::suite_pieces
+}  // namespace proptests::suite_build_pieces

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests the built-in models: their sizes, that the skin is one closed surface, its weights, and the two clips.
+#include "experiments/procedural/procedural.hpp"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
@@ -11,10 +13,9 @@
 #include <set>
 
 #include "algorithms/runtime/skinning/skinning_palette.hpp"
-#include "experiments/procedural/procedural.hpp"
 #include "proptests/harness/harness.hpp"
 
-namespace proptests::suite_procedural_models {
+namespace proptests::suite_procedural {
 namespace {
 
 using namespace refitlab;
@@ -396,7 +397,7 @@ void the_walk(Suite& t) {
 
 }  // namespace
 
-PROPTEST(procedural_models) {
+PROPTEST(procedural) {
   numbers_of_triangles_and_joints(t);
   skins_are_closed_surfaces_of_good_triangles(t);
   weights_of_joints(t);
@@ -404,4 +405,4 @@ PROPTEST(procedural_models) {
   the_walk(t);
 }
 
-}  // namespace proptests::suite_procedural_models
+}  // namespace proptests::suite_procedural
