@@ -280,6 +280,7 @@ GltfGeometry gltf_geometry(const std::string& bytes, const std::string& path) {
   std::vector<GlbChunk> chunks = bytes.starts_with("glTF") ? read_glb(bytes, path) : std::vector<GlbChunk>{{json_chunk, bytes}};
   if (bytes.size() > static_cast<std::size_t>(greatest_index)) throw ModelError(path, "file", "is larger than 2 GB");
   json whole;
+  if (chunks[0].data.find('\0') != std::string::npos) throw ModelError(path, "glTF description", "has a NUL character");
   try {
     whole = json::parse(chunks[0].data);
   } catch (const json::exception& e) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/program/program.hpp"
 
+#include <new>
 #include <ostream>
 
 #include "algorithms/program/command.hpp"
@@ -37,6 +38,11 @@ int run_program(const std::vector<std::string>& arguments, std::ostream& out, st
       errors << "refitlab " << command->name << ": " << shown(e) << "\nrefitlab " << command->name
              << " --help says what it takes.\n";
       return exit_usage;
+    } catch (const std::bad_alloc&) {
+      std::string files;
+      for (std::size_t i = 1; i < arguments.size(); ++i) files += ' ' + printable(arguments[i]);
+      errors << "refitlab " << command->name << files << ": there is not enough memory for what this asks for\n";
+      return exit_refused;
     } catch (const std::exception& e) {
       errors << "refitlab " << command->name << ": " << shown(e) << '\n';
       return exit_refused;

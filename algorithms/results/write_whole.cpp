@@ -114,6 +114,8 @@ void check_writable(const std::string& name) {
 }
 
 std::string read_whole(const std::string& path) try {
+  std::error_code error;
+  if (fs::is_character_file(path, error)) throw std::runtime_error(path + ": cannot read: it is a device, which need not end");
   std::ifstream in(path, std::ios::binary);
   if (!in) fail(path, "read", errno);
   return {std::istreambuf_iterator<char>(in), {}};

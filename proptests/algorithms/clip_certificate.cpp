@@ -658,6 +658,19 @@ std::string file_of_light_weight(float weight) {
   return file.binary_file();
 }
 
+// Makes a file with a triangle of which two vertices have the same place, joints and weights, these in other slots. Nothing shows it in
+// any pose, and no bound is about it.
+std::string file_of_other_slots() {
+  gen::RiggedGltf scene = gen::bending_tube(2);
+  gen::GltfMesh& mesh = scene.meshes[0];
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}, {5, 5, 5}, {5, 5, 5}};
+  mesh.indices = {0, 1, 2, 3, 4, 5};
+  mesh.joints = {{{0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}}};
+  mesh.weights = {
+      {{0.3f, 0.7f, 0, 0}, {0.3f, 0.7f, 0, 0}, {0.3f, 0.7f, 0, 0}, {0.3f, 0.7f, 0, 0}, {0.3f, 0.7f, 0, 0}, {0.7f, 0.3f, 0, 0}}};
+  return gen::built(scene).binary_file();
+}
+
 void slacks_of_bounds(Suite& t) {
   t.example("a slack that is 3 % less than needed is rejected, of lines and of splines", {}, [] {
     std::string wrong;
@@ -717,6 +730,15 @@ std::string file_of_triangle(json node, const std::vector<float>& numbers) {
   description["nodes"] = json::array({node});
   description["meshes"] = json::array({{{"primitives", json::array({primitive})}}});
   return glb_of({{json_chunk, description.dump()}, {bin_chunk, bytes}}, "triangle.glb");
+}
+
+void slots_of_weights(Suite& t) {
+  t.example("vertices that differ only in the slots of their joints are one, to the writer and to the checker", {}, [] {
+    Certified certified(file_of_other_slots());
+    if (!certified.refusal.empty()) return Checked(false, 1, certified.refusal);
+    const std::string verdict = certified.judged({certified.document})[0];
+    return Checked(is_accepted(verdict), 1, verdict);
+  });
 }
 
 void numbers_that_underflow(Suite& t) {
@@ -895,6 +917,7 @@ PROPTEST(clip_certificate) {
   what_bounds_are_not_about(t);
   bounds_that_leave_something_out_are_rejected(t);
   slacks_of_bounds(t);
+  slots_of_weights(t);
   numbers_that_underflow(t);
   certificates_are_of_the_file(t);
   half_turns_intervals_and_what_is_no_certificate(t);

@@ -73,6 +73,20 @@ PROPTEST(glb_file) {
     }
     return Checked(refusal == "test.glb: chunk 0: its JSON begins with a byte order mark, which is to be left out", 1, refusal);
   });
+  t.example("NULs behind the JSON are left out, and one within it is refused", {}, [] {
+    using namespace std::string_literals;
+    const auto read = [](const std::string& text) {
+      try {
+        return read_glb(glb_of({{json_chunk, text}}, "test.glb"), "test.glb")[0].data;
+      } catch (const ModelError& error) {
+        return std::string(error.what());
+      }
+    };
+    const std::string refusal = read("{}\0{}  "s);
+    return Checked(read("{}\0\0"s) == "{}" && read("{}\0\0\0\0\0\0"s) == "{}" &&
+                       refusal == "test.glb: chunk 0: its JSON has a NUL character",
+                   3, refusal);
+  });
 }
 
 }  // namespace proptests::suite_glb_file

@@ -846,7 +846,8 @@ void skins_and_what_is_no_json(Suite& t, const json& tube) {
     // The file is nested far deeper than a stack is. Nothing descends into extras.
     std::string deep = tube.dump();
     deep.insert(1, "\"extras\":" + std::string(1000000, '[') + std::string(1000000, ']') + ",");
-    return Checked(good && refusal(deep).empty(), 12);
+    good = good && refusal(tube.dump() + std::string(1, '\0')) == "file.gltf: glTF description: has a NUL character";
+    return Checked(good && refusal(deep).empty(), 13);
   });
 }
 

@@ -33,7 +33,7 @@
 // is at most 1.2 F, and off by n of that. Products of tiny numbers underflow, for which least_matrix stands.
 //
 // Dual quaternions: 2 ||d_j|| <= t, so that translations are at most kappa t. For a given blend the formula loses 23 of ||p|| and
-// 15 of translations; q and d are off by n of their lengths. For a control ball, near weight vertices have ||q'_k|| ||q'_l|| <
+// 13 of translations; q and d are off by n of their lengths. For a control ball, near weight vertices have ||q'_k|| ||q'_l|| <
 // sqrt 2 W_kl. The quotient N / W has an error of 46, and 27 of translations. The weight vertices are off by n + 4 of both
 // lengths. Beyond a right angle the ball of b6_dual_quaternion_ball accounts for its own rounding (refit_dual_quaternion.hpp).
 //
@@ -168,7 +168,7 @@ PaletteRounding<S> rounding_spherical(const PaletteScales<S>& palette) {
 template <class S>
 PaletteRounding<S> rounding_dual_quaternion(const PaletteScales<S>& palette) {
   constexpr S u = std::numeric_limits<S>::epsilon() / 2;
-  constexpr S turned(23), moved(15), control(46), translations(27);
+  constexpr S turned(23), moved(13), control(46), translations(27);
   const S n = palette.joints, kappa = palette.inverse_blend, t = palette.translation * kappa;
   const auto move = [&](const S& error) {
     const S dual = palette.translation / 2;

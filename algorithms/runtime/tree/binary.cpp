@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/tree/binary.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -43,8 +44,10 @@ BinaryReader opened(std::string_view bytes, std::string_view magic, std::uint32_
 }
 
 std::string read_bytes(const std::string& path) try {
+  std::error_code error;
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw ModelError(path, "file", "cannot be read");
+  if (!in || std::filesystem::is_character_file(path, error))
+    throw ModelError(path, "file", "cannot be read");  // a device need not end
   return {std::istreambuf_iterator<char>(in), {}};
 } catch (const std::ios_base::failure&) {  // of a folder, or a broken disk
   throw ModelError(path, "file", "cannot be read");

@@ -43,8 +43,12 @@ std::vector<GlbChunk> read_glb(const std::string& bytes, const std::string& file
     at += size;
   }
   if (chunks.empty() || chunks[0].type != json_chunk) throw ModelError(file, "chunk 0", "it is not JSON");
+  // Some exporters fill the chunk up with NULs, where glTF has spaces. JSON has them nowhere.
+  std::string& text = chunks[0].data;
+  text.erase(text.find_last_not_of('\0') + 1);
+  if (text.find('\0') != std::string::npos) throw ModelError(file, "chunk 0", "its JSON has a NUL character");
   // glTF is to be written without it, and RFC 8259 (8.1) lets readers take it for an error.
-  if (chunks[0].data.starts_with("\xef\xbb\xbf"))
+  if (text.starts_with("\xef\xbb\xbf"))
     throw ModelError(file, "chunk 0", "its JSON begins with a byte order mark, which is to be left out");
   return chunks;
 }

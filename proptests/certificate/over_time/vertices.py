@@ -173,6 +173,10 @@ class Vertices:
         listed = np.concatenate(listed, axis=1)
         weights = Interval(*(np.concatenate(ends, axis=1) for ends in ([w.low for w in weights], [w.high for w in weights])))
         require(np.all(weights.low >= 0), "a weight is negative")
+        # In the order of the joints, so that neither the slots of a vertex nor the sum of its weights depend on that of the file.
+        order = np.argsort(np.where(weights.high > 0, listed, len(joints)), axis=1, kind="stable")
+        listed = np.take_along_axis(listed, order, axis=1)
+        weights = Interval(*(np.take_along_axis(end, order, axis=1) for end in (weights.low, weights.high)))
         has_weight = weights.high > 0
         require(np.all(has_weight.any(axis=1)), "a vertex has no weight")
         require(np.all(listed[has_weight] < len(joints)), "a joint of a vertex is not there")
