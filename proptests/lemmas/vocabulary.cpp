@@ -373,6 +373,23 @@ void quaternions_and_rigid_transforms_are_matrices(Suite& t) {
     for (int i = 0; i < 3; ++i) RC_ASSERT(dot(rows[static_cast<std::size_t>(i)], x) == rotate(unit, x)[i]);
     RC_ASSERT(rotate_scaled(RationalQuaternion(0, 0, 0, 0), x) == zero);
   });
+  t.holds("a quaternion that is not of unit length turns by a mixture of its rotation and none",
+          {.number_type = "rational", .cases = 300}, [] {
+            const RationalQuaternion q = *gen::nonzero_vector<4>();
+            const RationalVec<3> x = *gen::rational_vector<3>(), found = rotate(q, x);
+            const Rational n = squared_norm(q);
+            const RationalVec<3> turned = oracle::times(oracle::affine_of(q, RationalVec<3>(0, 0, 0)), x);
+            RC_CLASSIFY(n == 1 || squared_norm(x) == 0, "degenerate");
+            RC_ASSERT(found == RationalVec<3>(turned * n + x * (Rational(1) - n)));
+            RC_ASSERT(squared_norm(found) <= sq(stretch_of_rotate(n)) * squared_norm(x));
+            const Rational error = error_of_rotate<Rational>(abs(Rational(1 - n)));
+            RC_ASSERT((squared_distance<Rational, 3>(found, turned) <= sq(error) * squared_norm(x)));
+            // Half a turn about an axis across x is as far off as that.
+            const RationalQuaternion half_turn(0, q[0], 0, 0);
+            const RationalVec<3> across(0, x[1], x[2]), back = -across;
+            const Rational worst = error_of_rotate<Rational>(abs(Rational(1 - sq(q[0]))));
+            RC_ASSERT((squared_distance<Rational, 3>(rotate(half_turn, across), back) == sq(worst) * squared_norm(across)));
+          });
   t.holds("rigid transforms apply, compose and invert as their matrices", {.number_type = "rational", .cases = 300}, [] {
     const auto a = *gen::rigid_transform(), b = *gen::rigid_transform();
     const auto x = *gen::rational_vector<3>();
