@@ -37,6 +37,12 @@ std::span<const PlacedVertex> placed_vertices(const Model& model, int vertex) {
   return part_of_vertex<PlacedVertex>(model.placed_vertices, vertex);
 }
 
+const Point3* displacement_of(const MorphTarget& target, int vertex) {
+  const auto& list = target.displacements;
+  const auto found = std::lower_bound(list.begin(), list.end(), vertex, [](const auto& d, int v) { return d.first < v; });
+  return found != list.end() && found->first == vertex ? &found->second : nullptr;
+}
+
 MorphTargets morph_targets(const Model& model) {
   MorphTargets out;
   for (const MorphedMesh& mesh : model.morphs) out.count += static_cast<int>(mesh.targets.size());

@@ -82,6 +82,9 @@ Joints joints_of(const Model& model);
 std::span<const LostInfluence> lost_influences(const Model& model, int vertex);
 std::span<const PlacedVertex> placed_vertices(const Model& model, int vertex);
 
+// Returns the displacement of a vertex by a target, or null if it stays.
+const Point3* displacement_of(const MorphTarget& target, int vertex);
+
 // Returns all targets of all morphed meshes, those of the first mesh first.
 MorphTargets morph_targets(const Model& model);
 

@@ -91,11 +91,8 @@ class Ranges {
   std::vector<std::pair<double, Point3>> displacements_of(int vertex) const {
     std::vector<std::pair<double, Point3>> out;
     for (std::size_t m = 0; m < model_.morphs.size(); ++m)
-      for (std::size_t t = 0; t < weights_[m].size(); ++t) {
-        const auto& list = model_.morphs[m].targets[t].displacements;
-        const auto found = std::lower_bound(list.begin(), list.end(), vertex, [](const auto& d, int v) { return d.first < v; });
-        if (found != list.end() && found->first == vertex) out.emplace_back(weights_[m][t], found->second);
-      }
+      for (std::size_t t = 0; t < weights_[m].size(); ++t)
+        if (const Point3* by = displacement_of(model_.morphs[m].targets[t], vertex)) out.emplace_back(weights_[m][t], *by);
     return out;
   }
 

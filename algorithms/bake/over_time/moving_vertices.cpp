@@ -112,13 +112,9 @@ MovingVertices::MovingVertices(const Model& model, const JointSets& sets, Skinni
   if (!morphs.empty()) displacements_.resize(vertices_.size());
   for (std::size_t m = 0; m < morphs.size(); ++m)
     for (std::size_t t = 0; t < morphs[m].targets.size(); ++t)
-      for (std::size_t i = 0; i < vertices_.size(); ++i) {
-        const auto& list = morphs[m].targets[t].displacements;
-        const auto found =
-            std::lower_bound(list.begin(), list.end(), vertices_[i], [](const auto& d, int v) { return d.first < v; });
-        if (found != list.end() && found->first == vertices_[i])
-          displacements_[i].push_back({static_cast<int>(m), static_cast<int>(t), found->second});
-      }
+      for (std::size_t i = 0; i < vertices_.size(); ++i)
+        if (const Point3* by = displacement_of(morphs[m].targets[t], vertices_[i]))
+          displacements_[i].push_back({static_cast<int>(m), static_cast<int>(t), *by});
   std::map<int, Set> by_index;
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const int index = sets.of_vertex(vertices_[i]);
