@@ -257,12 +257,14 @@ PROPTEST(write_whole) {
         for (const char* can : {"file", "new", "new/folder/file", "folder/inside/new"})
           is_told_before = is_told_before && message_of([&] { check_writable(folder.file(can)); }).empty();
         const std::filesystem::directory_iterator files(folder.path());
-        const bool good = is_told_before && in_file == folder.file("file/results.csv") + ": cannot write: Not a directory" &&
-                          on_folder == folder.file("folder") + ": cannot replace: Is a directory" &&
-                          no_file == folder.file("missing") + ": cannot read: No such file or directory" &&
-                          no_text.starts_with(folder.file("folder") + ": cannot read: ") && no_text.ends_with("Is a directory") &&
-                          std::distance(begin(files), end(files)) == 2 && read_whole(folder.file("file")) == "x";
-        return Checked(good, 11, in_file + "; " + on_folder + "; " + no_file + "; " + no_text);
+        const bool good =
+            is_told_before && in_file == folder.file("file/results.csv") + ": cannot write: Not a directory" &&
+            on_folder == folder.file("folder") + ": cannot replace: Is a directory" &&
+            no_file == folder.file("missing") + ": cannot read: No such file or directory" &&
+            no_text.starts_with(folder.file("folder") + ": cannot read: ") && no_text.ends_with("Is a directory") &&
+            message_of([] { read_whole("/dev/zero"); }) == "/dev/zero: cannot read: it is a device, which need not end" &&
+            std::distance(begin(files), end(files)) == 2 && read_whole(folder.file("file")) == "x";
+        return Checked(good, 12, in_file + "; " + on_folder + "; " + no_file + "; " + no_text);
       });
 }
 
