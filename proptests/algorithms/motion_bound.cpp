@@ -6,6 +6,7 @@
 
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/refuses.hpp"
@@ -256,6 +257,24 @@ void boxes_without_end(Suite& t) {
     return Checked(is_everything(dual) && std::isfinite(spherical.extent()) &&
                    encloses(spherical, box_of_vertices(model, sets, pose, Skinning::spherical, {})));
   });
+  t.example("a body far from the world's origin is in its box for all that the sum loses",
+            {.number_type = "double against rational"}, [] {
+              const SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
+              const JointSets sets(model);
+              const MotionBound bound(model, sets, Skinning::linear);
+              const AffinePose still(model.joints.size(), identity_map<double>());
+              bool good = true;
+              for (int i = 1; i <= 200; ++i) {
+                const Point3 at(1e8 + i / 7.0, -1e8 - i / 9.0, i * 1e7 / 3);
+                const Box<double> box = bound.box(still, {{1, 0, 0, 0}, at});
+                for (const Point3& v : model.vertices)
+                  for (int k = 0; k < 3; ++k) {
+                    const Rational x = Rational(v[k]) + Rational(at[k]);
+                    good = good && Rational(box.low[k]) <= x && x <= Rational(box.high[k]);
+                  }
+              }
+              return Checked(good, 200);
+            });
   t.example("what is not finite, or overflows, reaches everywhere", {}, [] {
     const SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
     const JointSets sets(model);

@@ -130,7 +130,7 @@ void bounds_hold_the_balls_of_the_lemmas(Suite& t) {
           std::pair{rim, Quaternion<double>{1, 0, 0, 0}}, std::pair{rim, Quaternion<double>{-1, -1, 0, 0}},
           std::pair{rim, Quaternion<double>::Constant(std::nan("")).eval()}}) {
       const auto bound = bound_rotations<double>(unit, direction);
-      all = all && bound.center_ratio == 0 && bound.radius_ratio == 1;
+      all = all && bound.center_ratio == 0 && bound.radius_ratio == 1 && squared_norm(bound.apex) == 1;
     }
     return Checked(all, 5);
   });
