@@ -4,6 +4,7 @@
 
 #include <initializer_list>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "algorithms/bake/bake.hpp"
@@ -15,9 +16,11 @@ struct AnimatedCharacter : Character {
 };
 
 // Does what bake() does. joints are those of the clips (joints_of) if they are not given.
-inline AnimatedCharacter bake_animated(const Model& model, const TreeOptions& tree = {},
+inline AnimatedCharacter bake_animated(Model model, const TreeOptions& tree = {},
                                        std::initializer_list<Pieces> pieces = all_pieces, std::optional<Joints> joints = {}) {
-  return {bake(model, tree, pieces, joints ? *joints : joints_of(model)), model.clips};
+  if (!joints) joints = joints_of(model);
+  std::vector<Clip> clips = std::move(model.clips);
+  return {bake(std::move(model), tree, pieces, *joints), std::move(clips)};
 }
 
 }  // namespace refitlab
