@@ -59,13 +59,6 @@
 
 namespace refitlab {
 
-template <class S>
-std::vector<Vec<S, 3>> images_of(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& point) {
-  std::vector<Vec<S, 3>> out;
-  for (const auto& c : transforms) out.push_back(apply(c, point));
-  return out;
-}
-
 // Returns A^2.
 template <class S>
 S squared_spread(const std::vector<Vec<S, 3>>& images) {
@@ -172,7 +165,7 @@ Verdict are_within(const std::vector<RigidTransform<S>>& transforms, const S& co
 }
 
 template <class S>
-Verdict reach_hypotheses(const std::vector<RigidTransform<S>>& transforms, const S& cosine, std::span<const S> u) {
+Verdict deviation_hypotheses(const std::vector<RigidTransform<S>>& transforms, const S& cosine, std::span<const S> u) {
   return are_within(transforms, cosine) & is_convex(u);
 }
 
@@ -192,7 +185,7 @@ Verdict is_least_squares_center(const std::vector<RigidTransform<S>>& transforms
 
 // The witness splits v' = carried + turned + deviated.
 template <class S>
-struct ReachedVertex {
+struct DeviatedVertex {
   Verdict verdict;
   Vec<S, 3> carried, turned, deviated;
 };
@@ -208,9 +201,9 @@ Verdict deviates_little(const S& squared_length, const S& cosine, const S& squar
 // Checks the witness independently, except that it sums up to v': carried is the linear blend of f, turned is as long as v - f,
 // and deviated is within its bounds.
 template <class S>
-Verdict is_reached_vertex(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& point,
-                          std::span<const S> u, const Vec<S, 3>& vertex, const ReachedVertex<S>& witness) {
-  const auto images = images_of(transforms, point);
+Verdict is_deviated_vertex(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& point,
+                           std::span<const S> u, const Vec<S, 3>& vertex, const DeviatedVertex<S>& witness) {
+  const auto images = images_of<S>(transforms, point);
   const Vec<S, 3> carried = combine<S, 3>(u, images);
   Verdict v = equal(squared_norm(witness.turned), squared_distance(vertex, point)) &
               deviates_little(squared_norm(witness.deviated), cosine, squared_spread(images));
@@ -220,37 +213,37 @@ Verdict is_reached_vertex(const std::vector<RigidTransform<S>>& transforms, cons
 
 // Computes the witness for dual quaternions. Its sum is the vertex's image by dual_blend (is_blended_image).
 template <class S>
-ReachedVertex<S> dual_reach(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& point,
-                            std::span<const S> u, const Vec<S, 3>& vertex) {
+DeviatedVertex<S> dual_quaternion_deviation(const std::vector<RigidTransform<S>>& transforms, const S& cosine,
+                                            const Vec<S, 3>& point, std::span<const S> u, const Vec<S, 3>& vertex) {
   const auto at = dual_blend(transforms, point).at(u), of_vertex = dual_blend(transforms, vertex).at(u);
   const Vec<S, 3> image = at.numerator / at.denominator;
-  ReachedVertex<S> out{Verdict::undecided, combine<S, 3>(u, images_of(transforms, point)),
-                       of_vertex.numerator / of_vertex.denominator - image, image};
+  DeviatedVertex<S> out{Verdict::undecided, combine<S, 3>(u, images_of<S>(transforms, point)),
+                        of_vertex.numerator / of_vertex.denominator - image, image};
   out.deviated = out.deviated - out.carried;
-  out.verdict = is_reached_vertex(transforms, cosine, point, u, vertex, out);
+  out.verdict = is_deviated_vertex(transforms, cosine, point, u, vertex, out);
   return out;
 }
 
 // Computes the witness for spherical blending about a center. Its sum is the vertex's image by Equation (1).
 template <class S>
-ReachedVertex<S> spherical_reach(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& center,
-                                 const Vec<S, 3>& point, std::span<const S> u, const Vec<S, 3>& vertex) {
+DeviatedVertex<S> spherical_deviation(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& center,
+                                      const Vec<S, 3>& point, std::span<const S> u, const Vec<S, 3>& vertex) {
   const auto alone = rotations_alone(transforms);
   const auto turn = [&](const Vec<S, 3>& x) {
     const auto at = dual_blend(alone, x).at(u);
     return Vec<S, 3>(at.numerator / at.denominator);
   };
   const Vec<S, 3> arm = center - point;
-  ReachedVertex<S> out{Verdict::undecided, combine<S, 3>(u, images_of(transforms, point)), turn(vertex - point),
-                       combine<S, 3>(u, images_of(alone, arm)) - turn(arm)};
-  out.verdict = is_reached_vertex(transforms, cosine, point, u, vertex, out);
+  DeviatedVertex<S> out{Verdict::undecided, combine<S, 3>(u, images_of<S>(transforms, point)), turn(vertex - point),
+                        combine<S, 3>(u, images_of<S>(alone, arm)) - turn(arm)};
+  out.verdict = is_deviated_vertex(transforms, cosine, point, u, vertex, out);
   return out;
 }
 
 // Judges the identity of the proof: ||q||^2 (B - L) is a sum over pairs, and each summand is made of two perpendicular vectors.
 template <class S>
 Verdict deviates_by_pairs(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& point, std::span<const S> u) {
-  const auto images = images_of(transforms, point);
+  const auto images = images_of<S>(transforms, point);
   const auto blend = dual_blend(transforms, point);
   const auto at = blend.at(u);
   const Quaternion<S> q = combine<S, 4>(u, blend.rotations);
@@ -274,7 +267,7 @@ Verdict deviates_by_pairs(const std::vector<RigidTransform<S>>& transforms, cons
 template <class S>
 Verdict turns_little(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& vector) {
   const S n(static_cast<int>(transforms.size()));
-  return less_equal(squared_spread(images_of(rotations_alone(transforms), vector)),
+  return less_equal(squared_spread(images_of<S>(rotations_alone(transforms), vector)),
                     S(squared_turn_of_count(n) * squared_turn_of_cosine(cosine) * squared_norm(vector)));
 }
 
@@ -282,8 +275,9 @@ Verdict turns_little(const std::vector<RigidTransform<S>>& transforms, const S& 
 // turned difference.
 template <class S>
 Verdict splits_spread(const std::vector<RigidTransform<S>>& transforms, const Vec<S, 3>& center, const Vec<S, 3>& point) {
-  const S at_point = squared_spread(images_of(transforms, point)), at_center = squared_spread(images_of(transforms, center)),
-          turned = squared_spread(images_of(rotations_alone(transforms), Vec<S, 3>(center - point)));
+  const S at_point = squared_spread(images_of<S>(transforms, point)),
+          at_center = squared_spread(images_of<S>(transforms, center)),
+          turned = squared_spread(images_of<S>(rotations_alone(transforms), Vec<S, 3>(center - point)));
   return implies(is_least_squares_center(transforms, center), equal(at_point, S(at_center + turned)));
 }
 

@@ -186,13 +186,8 @@ Verdict are_spherical_images(const PointOfJoints<S>& of, std::span<const S> w, s
 template <class S>
 ImagesOfBlends<S> spherical_move_is_little(const PointOfJoints<S>& of, std::span<const S> w, std::span<const S> other,
                                            const ChangeOfWeights<S>& error) {
-  const auto image = [&](std::span<const S> weights) {
-    BlendedJoints<S> blend{blended_rotation<S>(of.transforms, weights), apply(of.transforms[0], of.center) * weights[0]};
-    for (std::size_t k = 1; k < weights.size(); ++k)
-      blend.center_image = blend.center_image + apply(of.transforms[k], of.center) * weights[k];
-    return turn_and_place<S>(blend, squared_norm(blend.rotation), of.point - of.center);
-  };
-  ImagesOfBlends<S> out{Verdict::undecided, image(w), image(other)};
+  ImagesOfBlends<S> out{Verdict::undecided, spherical_blend<S>(of.transforms, w, of.center, of.point),
+                        spherical_blend<S>(of.transforms, other, of.center, of.point)};
   out.verdict = are_spherical_images(of, w, other, error, out);
   return out;
 }

@@ -50,7 +50,7 @@ S apart_at_most(std::span<const LinkRange<S>> common, const S& reach, const S& o
 
 // Returns (3/4 A)^2. squared_spread is A^2.
 template <class S>
-S squared_stray_in_any_pose(const S& squared_spread) {
+S squared_deviation_in_any_pose(const S& squared_spread) {
   return squared_deviation_share(S(0)) * squared_spread;
 }
 

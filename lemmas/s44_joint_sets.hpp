@@ -31,21 +31,6 @@ struct PosedJointSet {
   WeightVertices<S> weight_vertices;          // c_1 ... c_m
 };
 
-template <class S>
-std::vector<Vec<S, 3>> rotation_center_images(std::span<const RigidTransform<S>> transforms, const Vec<S, 3>& center) {
-  std::vector<Vec<S, 3>> images;
-  for (const auto& c : transforms) images.push_back(apply(c, center));
-  return images;
-}
-
-// Computes Equation 1, Q_w(v - r_c) + sum_i w_i C_{j_i} r_c, for a blend that is not 0.
-template <class S>
-Vec<S, 3> blend_vertex(const PosedJointSet<S>& set, std::span<const S> w, const Vec<S, 3>& v) {
-  const auto images = rotation_center_images<S>(set.transforms, set.rotation_center);
-  const BlendedJoints<S> blend{blended_rotation<S>(set.transforms, w), combine<S, 3>(w, images)};
-  return turn_and_place<S>(blend, squared_norm(blend.rotation), v - set.rotation_center);
-}
-
 // sqrt(a) + sqrt(b) <= c, for a, b >= 0.
 template <class S>
 Verdict roots_sum_at_most(const S& a, const S& b, const S& c) {
@@ -68,7 +53,7 @@ template <class S>
 std::vector<SquaredBall<S, 3>> joint_set_balls_printed(std::span<const PosedJointSet<S>> sets, const Vec<S, 3>& p) {
   std::vector<SquaredBall<S, 3>> balls;
   for (const auto& set : sets) {
-    const auto images = rotation_center_images<S>(set.transforms, sets[0].rotation_center);
+    const auto images = images_of<S>(set.transforms, sets[0].rotation_center);
     for (const auto& image : weight_vertex_images<S, 3>(sets[0].weight_vertices, images))
       balls.push_back({image, squared_distance(p, sets[0].rotation_center)});
   }
@@ -80,7 +65,7 @@ template <class S>
 std::vector<SquaredBall<S, 3>> joint_set_balls_repaired(std::span<const PosedJointSet<S>> sets, const Vec<S, 3>& p) {
   std::vector<SquaredBall<S, 3>> balls;
   for (const auto& set : sets) {
-    const auto images = rotation_center_images<S>(set.transforms, set.rotation_center);
+    const auto images = images_of<S>(set.transforms, set.rotation_center);
     for (const auto& image : weight_vertex_images<S, 3>(set.weight_vertices, images))
       balls.push_back({image, squared_distance(p, set.rotation_center)});
   }
@@ -118,9 +103,10 @@ struct JointSetVertex {
 template <class S>
 Verdict is_joint_set_vertex(const PosedJointSet<S>& set, const Ball3<S>& reference, std::span<const S> w, const Vec<S, 3>& v,
                             const std::vector<S>& coefficients, const JointSetVertex<S>& witness) {
-  const auto images = rotation_center_images<S>(set.transforms, set.rotation_center);
+  const auto images = images_of<S>(set.transforms, set.rotation_center);
   const auto at_weight_vertices = weight_vertex_images<S, 3>(set.weight_vertices, images);
-  const Vec<S, 3> vertex = blend_vertex(set, w, v), sum = witness.linear + witness.spherical + witness.offset;
+  const Vec<S, 3> vertex = spherical_blend<S>(set.transforms, w, set.rotation_center, v),
+                  sum = witness.linear + witness.spherical + witness.offset;
   Verdict good = is_hull_point<S, 3>(at_weight_vertices, witness.linear, coefficients) &
                  less_equal(squared_norm(witness.spherical), squared_distance(reference.center, set.rotation_center)) &
                  less_equal(squared_norm(witness.offset), sq(reference.radius));
@@ -132,10 +118,11 @@ Verdict is_joint_set_vertex(const PosedJointSet<S>& set, const Ball3<S>& referen
 template <class S>
 JointSetVertex<S> joint_set_vertex(const Ball3<S>& ball, const PosedJointSet<S>& set, const Ball3<S>& reference,
                                    std::span<const S> w, const Vec<S, 3>& v) {
-  const auto images = rotation_center_images<S>(set.transforms, set.rotation_center);
+  const auto images = images_of<S>(set.transforms, set.rotation_center);
   const Quaternion<S> q = blended_rotation<S>(set.transforms, w);
-  return {encloses(inflate(ball, reference.radius), blend_vertex(set, w, v)), combine<S, 3>(w, images),
-          rotate_by<S>(q, reference.center - set.rotation_center), rotate_by<S>(q, v - reference.center)};
+  return {encloses(inflate(ball, reference.radius), spherical_blend<S>(set.transforms, w, set.rotation_center, v)),
+          combine<S, 3>(w, images), rotate_by<S>(q, reference.center - set.rotation_center),
+          rotate_by<S>(q, v - reference.center)};
 }
 
 }  // namespace refitlab

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "lemmas/vocabulary/sphere.hpp"
+#include "lemmas/vocabulary/weights.hpp"
 
 namespace refitlab {
 

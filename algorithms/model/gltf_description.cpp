@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
 
 #include "algorithms/model/model.hpp"
@@ -274,15 +275,29 @@ class Description {
   const std::string& file_;
 };
 
+// Parses JSON in which no object has a name twice, as glTF 2.0 (2.7.1) demands: some readers take the first of the two, others the
+// last.
+json parsed_description(const std::string& text, const std::string& path) {
+  std::vector<std::set<std::string>> names;  // of the objects that are open, from the outermost one
+  return json::parse(text, [&](int, json::parse_event_t event, const json& parsed) {
+    if (event == json::parse_event_t::object_start) names.emplace_back();
+    if (event == json::parse_event_t::object_end) names.pop_back();
+    if (event == json::parse_event_t::key && !names.back().insert(parsed.get_ref<const std::string&>()).second)
+      throw ModelError(path, "glTF description", "has a name twice in one object: " + parsed.dump().substr(0, 60));
+    return true;
+  });
+}
+
 }  // namespace
 
 GltfGeometry gltf_geometry(const std::string& bytes, const std::string& path) {
-  std::vector<GlbChunk> chunks = bytes.starts_with("glTF") ? read_glb(bytes, path) : std::vector<GlbChunk>{{json_chunk, bytes}};
+  const bool is_binary = bytes.starts_with("glTF");
+  if (!is_binary && bytes.find('\0') != std::string::npos) throw ModelError(path, "glTF description", "has a NUL character");
+  std::vector<GlbChunk> chunks = is_binary ? read_glb(bytes, path) : std::vector<GlbChunk>{{json_chunk, bytes}};
   if (bytes.size() > static_cast<std::size_t>(greatest_index)) throw ModelError(path, "file", "is larger than 2 GB");
   json whole;
-  if (chunks[0].data.find('\0') != std::string::npos) throw ModelError(path, "glTF description", "has a NUL character");
   try {
-    whole = json::parse(chunks[0].data);
+    whole = parsed_description(chunks[0].data, path);
   } catch (const json::exception& e) {
     const std::string& text = chunks[0].data;
     const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");

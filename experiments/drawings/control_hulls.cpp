@@ -93,7 +93,7 @@ void b6(Plane &p) {
 void b7(Plane &p) {
   const Point3D point(1.2, 0.3, 0);
   const auto joints = two_joints();
-  const auto images = images_of(joints, point);
+  const auto images = images_of<double>(joints, point);
   const double cosine = dot(joints[0].rotation, joints[1].rotation);
   const double length = std::sqrt(squared_deviation_share(cosine) * squared_spread(images));
   for (const auto &c : images) p.circle("ball", flat(c), length), p.dot("dot", flat(c), "C f");

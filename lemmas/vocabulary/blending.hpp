@@ -6,6 +6,7 @@
 #include <span>
 
 #include "lemmas/vocabulary/rigid.hpp"
+#include "lemmas/vocabulary/weights.hpp"
 
 namespace refitlab {
 
@@ -31,6 +32,15 @@ Vec<S, 3> turn_and_place(const BlendedJoints<S>& blend, const S& squared_length,
   const Vec<S, 3> turned = rotate_scaled<S>(blend.rotation, x);
   const S scale = S(1) / squared_length;
   return turned * scale + blend.center_image;
+}
+
+// Computes Equation (1), Q_w(v - r_c) + sum_i w_i C_{j_i} r_c, of a vertex v about the rotation center r_c, for a blend that is not
+// zero.
+template <class S>
+Vec<S, 3> spherical_blend(std::span<const RigidTransform<S>> transforms, std::span<const S> w, const Vec<S, 3>& center,
+                          const Vec<S, 3>& v) {
+  const BlendedJoints<S> blend{blended_rotation<S>(transforms, w), combine<S, 3>(w, images_of<S>(transforms, center))};
+  return turn_and_place<S>(blend, squared_norm(blend.rotation), v - center);
 }
 
 // Returns d = t q / 2 of the dual quaternion q + eps d of a transform, the rotation q and then the translation t. It has the sign of

@@ -9,6 +9,7 @@
 
 #include "algorithms/runtime/refit/algorithm1_repaired.hpp"
 #include "proptests/counterexamples/algorithm1.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/skinned_samples.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/refits/refit_ladder.hpp"
@@ -117,7 +118,7 @@ Checked share_not_a_number(int joints, double at_least) {
 void check_conversion() {
   Quaternion<double> q;
   do
-    for (double& x : q) x = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-10, 11));
+    for (double& x : q) x = *gen::between(-10, 11);
   while (q.isZero());
   if (*rc::gen::inRange(0, 3) > 0) q[0] = *rc::gen::element(0, 0, 1, -1);
   if (q.isZero()) q[*rc::gen::inRange(1, 4)] = *rc::gen::element(1, -1);

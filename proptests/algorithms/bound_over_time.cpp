@@ -8,6 +8,7 @@
 #include "algorithms/bake/over_time/any_pose.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "proptests/gen/animated_model.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
 
@@ -393,7 +394,7 @@ Model there_and_back(double x, double duration) {
 
 // Draws a power of ten whose exponent is between these.
 double drawn_power(double low, double high) {
-  const double share = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1000001)) / 1e6;
+  const double share = *gen::between(0, 1000001) / 1e6;
   return std::pow(10.0, low + share * (high - low));
 }
 
@@ -498,7 +499,7 @@ void rounding_outward_and_axes_of_slabs(Suite& t) {
   t.holds("what is rounded outward encloses what was rounded, and hardly more",
           {.number_type = "double", .degenerate_at_least = 0.1, .degenerate_at_most = 0.95}, [] {
             const auto any = [] {
-              const double x = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-1000000, 1000001)) / 1e6;
+              const double x = *gen::between(-1000000, 1000001) / 1e6;
               return std::ldexp(x, *rc::gen::element(0, 0, 0, 20, -20, 126, 129, -140, -160, -600, 900));
             };
             Box<double> box;

@@ -9,6 +9,7 @@
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "lemmas/exact/exact.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/convex_combination.hpp"
@@ -344,18 +345,18 @@ void what_is_split_and_how(Suite& t) {
 // Checks vertices of one joint. A target moves all of them alike, half of them in one direction and half in the other, or one
 // alone.
 void check_displaced_vertices() {
-  const auto pick = [](int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); };
-  const int count = pick(2, 20);
+  const int count = *gen::between(2, 20);
   std::vector<Vertex> vertices;
-  MorphTargets targets{pick(1, 9), {}};
-  for (int v = 0; v < count; ++v) vertices.push_back({{pick(-100, 101) / 100., pick(-100, 101) / 100., 1. * v}, rigid});
+  MorphTargets targets{*gen::between(1, 9), {}};
+  for (int v = 0; v < count; ++v)
+    vertices.push_back({{*gen::between(-100, 101) / 100., *gen::between(-100, 101) / 100., 1. * v}, rigid});
   targets.of_vertex.resize(vertices.size());
   // These are the radii of all targets' displacements.
   double apart = 0;
   for (int target = 0; target < targets.count; ++target) {
-    const int kind = pick(0, 3);
-    const double far = pick(1, 100) / 1000.;
-    const Point3 by = far * std::array{Point3(1, 0, 0), Point3(0, -0.6, 0.8)}[static_cast<std::size_t>(pick(0, 2))];
+    const int kind = *gen::between(0, 3);
+    const double far = *gen::between(1, 100) / 1000.;
+    const Point3 by = far * std::array{Point3(1, 0, 0), Point3(0, -0.6, 0.8)}[static_cast<std::size_t>(*gen::between(0, 2))];
     for (int v = 0; v < (kind == 2 ? 1 : count); ++v)
       targets.of_vertex[static_cast<std::size_t>(v)].push_back({target, kind == 0   ? by
                                                                         : kind == 1 ? Point3(v % 2 == 0 ? by : -by)

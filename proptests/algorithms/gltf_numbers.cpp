@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "algorithms/model/model.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/gltf_builder.hpp"
 #include "proptests/harness/harness.hpp"
 
@@ -102,7 +103,7 @@ std::vector<std::int64_t> drawn_rows(std::size_t rows, const Component& index, s
 
 template <std::size_t N, class T>
 T drawn_of(const T (&list)[N]) {
-  return list[*rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, N))];
+  return list[*gen::between<std::size_t>(0, N)];
 }
 
 // Draws what is written. Some accessors have more rows than the smaller index types have numbers.
@@ -234,8 +235,7 @@ void what_is_refused(Suite& t) {
   t.holds("an accessor, its sparse indices or their values in a view that is a byte too short are refused",
           {.cases = 500, .tags_at_least = {{"values", 0.2}, {"sparse indices", 0.1}, {"sparse values", 0.1}}}, [] {
             Written of = drawn();
-            const int drawn_part = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(of.is_dense ? 0 : 1, 3)),
-                      part = of.is_sparse ? drawn_part : 0;
+            const int drawn_part = *gen::between(of.is_dense ? 0 : 1, 3), part = of.is_sparse ? drawn_part : 0;
             RC_TAG(part == 0 ? "values" : part == 1 ? "sparse indices" : "sparse values");
             (part == 0 ? of.place : part == 1 ? of.sparse.indices : of.sparse.values).behind = 0;
             gen::GltfBuilder file = file_of(of);

@@ -847,7 +847,11 @@ void skins_and_what_is_no_json(Suite& t, const json& tube) {
     std::string deep = tube.dump();
     deep.insert(1, "\"extras\":" + std::string(1000000, '[') + std::string(1000000, ']') + ",");
     good = good && refusal(tube.dump() + std::string(1, '\0')) == "file.gltf: glTF description: has a NUL character";
-    return Checked(good && refusal(deep).empty(), 13);
+    const std::string twice = refusal("{\"scene\": 0, \"extras\": [{\"a\": {\"b\": 1}, \"b\": 2, \"a\": 3}]," +
+                                      tube.dump().substr(1)),
+                      apart = refusal("{\"extras\": [{\"a\": {\"a\": 1}, \"b\": 2}, {\"a\": 3}]," + tube.dump().substr(1));
+    good = good && twice == "file.gltf: glTF description: has a name twice in one object: \"a\"" && apart.empty();
+    return Checked(good && refusal(deep).empty(), 15, twice + apart);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lemmas/exact/lift.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/ball_lists.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/number_types.hpp"
@@ -95,7 +96,7 @@ Verdict overlap_by_all(const RationalBalls& a, const RationalBalls& b) {
 template <int k>
 void check_common_point() {
   const auto a = draw(), b = draw();
-  const int kind = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 4));
+  const int kind = *gen::between(0, 4);
   if (kind == 0) {
     RC_TAG("equal");
     RC_ASSERT(overlap_by_all<k>(a.balls, a.balls) == Verdict::holds);

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "algorithms/model/model_of_scene.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_mesh_binding {
@@ -145,7 +146,7 @@ Vector3d by_model(const Model& model, const std::vector<Matrix4d>& matrices, int
 }
 
 void check_places() {
-  const auto seed = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<unsigned>(0, 1u << 30));
+  const auto seed = *gen::between<unsigned>(0, 1u << 30);
   RC_LOG() << "seed " << seed;
   SceneMaker maker(seed);
   Scene s = maker.scene();

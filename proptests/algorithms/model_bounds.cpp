@@ -18,6 +18,7 @@
 #include "algorithms/results/write_whole.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/model_of_nodes.hpp"
 #include "proptests/gen/rich_gltf.hpp"
 #include "proptests/harness/harness.hpp"
@@ -479,7 +480,7 @@ bool hold_what_is_sampled(const Model& model, const std::vector<ModelPart>& part
 
 void check_any_lengths() {
   const double unit = *rc::gen::element(1e-40, 1e-6, 1.0, 1e6, 1e18, 1e20, 1e30, 1e37), way = *rc::gen::element(1.0, 1.0, 60.0);
-  const int triangles = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, 601)), clips = *rc::gen::element(0, 1, 2, 2);
+  const int triangles = *gen::between(1, 601), clips = *rc::gen::element(0, 1, 2, 2);
   const int clustered = *rc::gen::element(0, 16, 128, 512);
   const bool fades = clips == 2 && *rc::gen::arbitrary<bool>();
   const unsigned seed = drawn_seed();
@@ -609,7 +610,7 @@ Turns turned_to_either_side(const Eigen::Quaterniond& base, int joints, double c
 }
 
 void check_unrounded_weights() {
-  const int joints = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(2, 18));
+  const int joints = *gen::between(2, 18);
   const double first = *rc::gen::element(0.11, 0.12, 0.15, 0.3, 0.8);
   const double renderer_rounding = *rc::gen::element(0.0, ModelBoundsOptions{}.renderer_rounding);
   const bool spherical = *rc::gen::arbitrary<bool>();
@@ -666,9 +667,7 @@ Eigen::Quaterniond slight_turn(Numbers& random, double angle) {
 // Checks joints with shares that are not rounded to 0, and others that are so far away that they move the vertex more than the
 // rounding of the former does.
 void check_lost_influences() {
-  const int kept = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, 5)),
-            lost = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, 4)),
-            power = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 7));
+  const int kept = *gen::between(1, 5), lost = *gen::between(1, 4), power = *gen::between(0, 7);
   const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::dual_quaternion);
   const unsigned seed = drawn_seed();
   RC_LOG() << kept << " joints, " << lost << " lost ones at 10^" << power << ", skinning " << static_cast<int>(skinning)
@@ -719,7 +718,7 @@ void check_lost_influences() {
 // Checks one joint with two meshes: one about the origin, and one that is modelled far away, which its inverse bind matrix brings
 // back. A renderer in float begins with the far coordinates.
 void check_far_frame() {
-  const int power = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 7));
+  const int power = *gen::between(0, 7);
   const unsigned seed = drawn_seed();
   RC_LOG() << "10^" << power << " away, seed " << seed;
   RC_CLASSIFY(power == 0, "degenerate");
@@ -760,7 +759,7 @@ void check_far_frame() {
 // renderer in float rounds a part of the displacements, not of their images; also where another mesh comes first, in whose frame
 // the model is.
 void check_flattened_displacements() {
-  const int power = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 9));
+  const int power = *gen::between(0, 9);
   const bool is_placed = *rc::gen::arbitrary<bool>();
   const unsigned seed = drawn_seed();
   RC_LOG() << "10^-" << power << " of a displacement is left, " << (is_placed ? "placed, " : "") << "seed " << seed;

@@ -8,6 +8,7 @@
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/bake/over_time/half_turns.hpp"
 #include "proptests/gen/animated_model.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/animated_skin.hpp"
 #include "proptests/oracles/reweighted_vertex.hpp"
@@ -206,10 +207,10 @@ Model joints_that_rest(int joints, double angle, double distance, std::mt19937& 
 }
 
 void check_errors_of_weights() {
-  const int joints = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(2, 7));
+  const int joints = *gen::between(2, 7);
   const double angle = *rc::gen::element(1e-6, 1e-3, 0.1, 1.0, 2.0, 3.0), distance = *rc::gen::element(0.0, 0.01, 1.0, 100.0);
   const Skinning skinning = skinning_of(*rc::gen::element(0, 1, 2));
-  const auto seed = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<unsigned>(0, 1u << 30));
+  const auto seed = *gen::between<unsigned>(0, 1u << 30);
   RC_LOG() << joints << " joints, " << angle << " rad, " << distance << " away, skinning " << static_cast<int>(skinning)
            << ", seed " << seed;
   RC_CLASSIFY(joints == 2 || angle <= 1e-3 || distance == 0, "degenerate");

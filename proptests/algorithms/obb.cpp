@@ -8,6 +8,7 @@
 
 #include "algorithms/methods/volumes/aabb.hpp"
 #include "lemmas/exact/lift.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/ball_lists.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/gen/quaternion.hpp"
@@ -39,7 +40,7 @@ Content draw() {
 // Draws a second box, which is often parallel to the first, or turned about one of its edges, so that products of edges vanish.
 Content draw_beside(const Content& a) {
   Content b = draw();
-  const int kind = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 4));
+  const int kind = *gen::between(0, 4);
   if (kind == 0) b.orientation = a.orientation;
   if (kind == 1) b.orientation = multiply(a.orientation, RationalQuaternion(2, 0, 1, 0));
   RC_CLASSIFY(kind <= 1, "parallel edges");
@@ -94,7 +95,7 @@ RationalVec<3> draw_axis(const Obb<Rational>& a, const Obb<Rational>& b) {
 
 void check_common_point() {
   const Content a = draw(), b = draw_beside(a);
-  const int kind = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 5));
+  const int kind = *gen::between(0, 5);
   RationalVec<3> by = gen::hull_point(a.balls) - gen::hull_point(b.balls);
   // They touch: one box's corner is at the other's.
   if (kind <= 1) {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "lemmas/exact/exact.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_quantize {
@@ -16,12 +17,11 @@ using Weights = std::vector<std::pair<int, double>>;
 
 // Draws zeros, shares of a few digits as files have them, and any magnitude that a double can have.
 rc::Gen<double> weight() {
-  const auto full = [](int low, int high) { return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); };
   return rc::gen::weightedOneOf<double>(
       {{1, rc::gen::element(0.0, 5e-324, std::numeric_limits<double>::max(), 0x1p-24, 0x1p-25, 1.0)},
-       {3, rc::gen::map(full(0, 256), [](int k) { return k / 255.0; })},
-       {2, rc::gen::map(full(0, 1 << 24), [](int k) { return k * 0x1p-24; })},
-       {1, rc::gen::apply([](int m, int e) { return std::ldexp(m, e); }, full(1, 1 << 30), full(-1100, 990))}});
+       {3, rc::gen::map(gen::between(0, 256), [](int k) { return k / 255.0; })},
+       {2, rc::gen::map(gen::between(0, 1 << 24), [](int k) { return k * 0x1p-24; })},
+       {1, rc::gen::apply([](int m, int e) { return std::ldexp(m, e); }, gen::between(1, 1 << 30), gen::between(-1100, 990))}});
 }
 
 // Draws a list of weights. Half of the lists are plain: up to four joints, each once, with weights of 8 bits.
@@ -129,7 +129,7 @@ PROPTEST(quantize) {
     Weights in = *rc::gen::nonEmpty(rc::gen::container<Weights>(
         rc::gen::pair(rc::gen::inRange(0, 9), rc::gen::map(rc::gen::inRange(1, 1000), [](int k) { return k / 1000.0; }))));
     const Weights plain = quantize_weights(in);
-    const int exponent = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-900, 1000));
+    const int exponent = *gen::between(-900, 1000);
     for (auto& [joint, w] : in) w = std::ldexp(w, exponent);
     RC_ASSERT(quantize_weights(in) == plain);
   });

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "proptests/gen/any_place.hpp"
 #include "proptests/harness/harness.hpp"
 
 namespace proptests::suite_skeleton_motion {
@@ -169,8 +170,6 @@ void what_holds_between_keys_and_beyond_them(Suite& t) {
   });
 }
 
-int any_of(int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); }
-
 // Draws one to four keys at times in quarters of a second from 0.5 s on, which may coincide. Those of a spline are of nearly unit
 // length, with tangents so small that no value between two keys gets near to 0.
 Channel<Eigen::Quaterniond> drawn_rotations() {
@@ -178,37 +177,36 @@ Channel<Eigen::Quaterniond> drawn_rotations() {
   const bool cubic = out.interpolation == Interpolation::cubic;
   const auto tangent = [] { return Eigen::Quaterniond(0.1 * real(), 0.1 * real(), 0.1 * real(), 0.1 * real()); };
   double time = 0.5;
-  for (int k = any_of(1, 5); k > 0; --k) {
+  for (int k = *gen::between(1, 5); k > 0; --k) {
     const Eigen::Quaterniond unit = Eigen::Quaterniond(1, 0.5 * real(), 0.5 * real(), 0.5 * real()).normalized();
     out.keys.push_back({time, Eigen::Quaterniond((cubic ? 1 + 0.01 * real() : 1) * unit.coeffs())});
     if (cubic) out.tangents.push_back({tangent(), tangent()});
-    time += 0.25 * any_of(0, 4);
+    time += 0.25 * *gen::between(0, 4);
   }
   return out;
 }
 
 void rotations_that_are_of_unit_length(Suite& t) {
-  t.holds("rotations are of unit length at all times, and those before the first key and after the last are theirs",
-          {.number_type = "double",
-           .degenerate_at_least = 0.1,
-           .tags_at_least = {{"a spline before its first key", 0.02}, {"a spline at or after its last key", 0.05}}},
-          [] {
-            const Channel<Eigen::Quaterniond> rotations = drawn_rotations();
-            const Eigen::Vector3d ones = Eigen::Vector3d::Ones();
-            const double first = rotations.keys.front().time, last = rotations.keys.back().time, time = 0.125 * any_of(0, 30);
-            const Side side = *rc::gen::element(Side::before, Side::after);
-            const bool cubic = rotations.interpolation == Interpolation::cubic;
-            RC_CLASSIFY(rotations.keys.size() == 1 || first == last, "degenerate");
-            RC_CLASSIFY(cubic && time < first, "a spline before its first key");
-            RC_CLASSIFY(cubic && time >= last, "a spline at or after its last key");
-            const Eigen::Quaterniond q = transform_at({0, {{{0, ones}}}, rotations, {{{0, ones}}}}, time, side).rotation;
-            RC_ASSERT(std::abs(q.norm() - 1) < 1e-14);
-            const auto is_that_of = [&](const auto& key) {
-              return (q.coeffs() - key.value.coeffs().normalized()).norm() < 1e-14;
-            };
-            if (time < first) RC_ASSERT(is_that_of(rotations.keys.front()));
-            if (time > last) RC_ASSERT(is_that_of(rotations.keys.back()));
-          });
+  t.holds(
+      "rotations are of unit length at all times, and those before the first key and after the last are theirs",
+      {.number_type = "double",
+       .degenerate_at_least = 0.1,
+       .tags_at_least = {{"a spline before its first key", 0.02}, {"a spline at or after its last key", 0.05}}},
+      [] {
+        const Channel<Eigen::Quaterniond> rotations = drawn_rotations();
+        const Eigen::Vector3d ones = Eigen::Vector3d::Ones();
+        const double first = rotations.keys.front().time, last = rotations.keys.back().time, time = 0.125 * *gen::between(0, 30);
+        const Side side = *rc::gen::element(Side::before, Side::after);
+        const bool cubic = rotations.interpolation == Interpolation::cubic;
+        RC_CLASSIFY(rotations.keys.size() == 1 || first == last, "degenerate");
+        RC_CLASSIFY(cubic && time < first, "a spline before its first key");
+        RC_CLASSIFY(cubic && time >= last, "a spline at or after its last key");
+        const Eigen::Quaterniond q = transform_at({0, {{{0, ones}}}, rotations, {{{0, ones}}}}, time, side).rotation;
+        RC_ASSERT(std::abs(q.norm() - 1) < 1e-14);
+        const auto is_that_of = [&](const auto& key) { return (q.coeffs() - key.value.coeffs().normalized()).norm() < 1e-14; };
+        if (time < first) RC_ASSERT(is_that_of(rotations.keys.front()));
+        if (time > last) RC_ASSERT(is_that_of(rotations.keys.back()));
+      });
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/runtime/balls/smallest_ball_of_balls.hpp"
 
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/harness/session.hpp"
@@ -19,7 +20,7 @@ struct Balls {
 
 Balls draw() {
   const auto cloud = *gen::cloud<3>(12);
-  const int radii = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 9));
+  const int radii = *gen::between(0, 9);
   Balls out{{}, gen::is_degenerate(cloud.shape) || (radii >= 1 && radii <= 4)};
   for (const auto& p : cloud.points) {
     const Vec<double, 3> c(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));

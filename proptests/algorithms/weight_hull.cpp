@@ -6,6 +6,7 @@
 #include <set>
 
 #include "algorithms/bake/weight_vertices.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/rational.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/convex_combination.hpp"
@@ -42,10 +43,8 @@ struct Weights {
 };
 
 Weights draw(int most) {
-  Weights out{*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, most + 1)),
-              static_cast<Kind>(*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 5))),
-              {}};
-  const int count = out.kind == Kind::one_row ? 1 : *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(2, 13));
+  Weights out{*gen::between(1, most + 1), static_cast<Kind>(*gen::between(0, 5)), {}};
+  const int count = out.kind == Kind::one_row ? 1 : *gen::between(2, 13);
   std::vector<std::vector<int>> units;
   for (int r = 0; r < count; ++r) units.push_back(shares(out.n));
   for (int r = 2; r < count; ++r)

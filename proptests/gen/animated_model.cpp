@@ -8,6 +8,7 @@
 #include <random>
 
 #include "algorithms/runtime/mesh/quantize.hpp"
+#include "proptests/gen/any_place.hpp"
 
 namespace proptests::gen {
 
@@ -298,15 +299,14 @@ Animation second_animation(const AnimatedPlan& plan, const Model& model) {
 }
 
 AnimatedPlan draw_animated_plan(bool rigid) {
-  const auto full = [](int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); };
   AnimatedPlan plan;
   plan.rigid = rigid;
-  plan.nodes = full(1, 8), plan.joints = full(1, 7), plan.vertices = full(1, 6);
-  plan.targets = std::max(0, full(-3, 4));
+  plan.nodes = *between(1, 8), plan.joints = *between(1, 7), plan.vertices = *between(1, 6);
+  plan.targets = std::max(0, *between(-3, 4));
   plan.unit = *rc::gen::element(1.0, 1.0, 1e-6, 1e6);
   plan.duration = *rc::gen::element(1.0, 1.0, 2.5, 1e-6, 1e6, 0.0);
-  plan.cubic = full(0, 2) == 1;
-  plan.near_zero = plan.cubic && full(0, 4) == 0;
+  plan.cubic = *between(0, 2) == 1;
+  plan.near_zero = plan.cubic && *between(0, 4) == 0;
   plan.noise = rigid ? *rc::gen::element(0.0, 0.0, 1e-9, 1e-4, 2e-4) : 0;
   plan.root_scale = *rc::gen::element(1.0, 1.0, 1.0, 0.01, 100.0, -1.0, -3.0);
   plan.far = *rc::gen::element(0.0, 0.0, 0.0, 1e6), plan.away = *rc::gen::element(0.0, 0.0, 0.0, 1e6);

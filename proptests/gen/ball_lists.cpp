@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/gen/ball_lists.hpp"
 
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/point_cloud.hpp"
 #include "proptests/gen/sphere_point.hpp"
 #include "proptests/gen/weights.hpp"
@@ -10,7 +11,7 @@ namespace proptests::gen {
 rc::Gen<BallList> ball_list(int most) {
   return rc::gen::exec([most] {
     const auto cloud = *gen::cloud<3>(most);
-    const int radii = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 4));
+    const int radii = *between(0, 4);
     const Rational common = *positive_rational();
     BallList list{{}, is_degenerate(cloud.shape) || radii == 0};
     for (const auto& p : cloud.points)

@@ -3,6 +3,8 @@
 
 #include <ostream>
 
+#include "proptests/gen/any_place.hpp"
+
 namespace proptests::gen {
 namespace {
 
@@ -44,7 +46,7 @@ bool BlendCase::is_degenerate() const {
 rc::Gen<BlendCase> blend_case(Spread spread, int most) {
   return rc::gen::exec([=] {
     BlendCase c;
-    const int m = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, most + 1));
+    const int m = *between(1, most + 1);
     c.blend.rotations = *rc::gen::container<std::vector<RationalQuaternion>>(m, weight_vertex_quaternion());
     const int relation = *rc::gen::inRange(0, 6);
     if (relation == 4 && m > 1) c.blend.rotations[1] = c.blend.rotations[0];

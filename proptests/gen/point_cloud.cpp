@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/gen/point_cloud.hpp"
 
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/sphere_point.hpp"
 
 namespace proptests::gen {
@@ -40,12 +41,11 @@ rc::Gen<std::vector<RationalVec<D>>> points(Shape shape, int n) {
           },
           list<RationalVec<D>>(n, sphere_point<D>()), rational_vector<D>());
     case Shape::grid:
-      return list<RationalVec<D>>(
-          n, rc::gen::map(list<int>(D, rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-1, 2))), [](const auto& c) {
-            RationalVec<D> x;
-            for (int i = 0; i < D; ++i) x[i] = c[i];
-            return x;
-          }));
+      return list<RationalVec<D>>(n, rc::gen::map(list<int>(D, between(-1, 2)), [](const auto& c) {
+                                    RationalVec<D> x;
+                                    for (int i = 0; i < D; ++i) x[i] = c[i];
+                                    return x;
+                                  }));
     case Shape::repeated:
     case Shape::one_point:
       return rc::gen::apply(
@@ -62,8 +62,7 @@ rc::Gen<std::vector<RationalVec<D>>> points(Shape shape, int n) {
 
 template <int D>
 rc::Gen<Cloud<D>> cloud(int most) {
-  const auto full_range = [](int low, int high) { return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); };
-  return rc::gen::mapcat(rc::gen::pair(full_range(0, shape_count + 5), full_range(1, most + 1)), [](const auto& choice) {
+  return rc::gen::mapcat(rc::gen::pair(between<int>(0, shape_count + 5), between<int>(1, most + 1)), [](const auto& choice) {
     const Shape shape = choice.first < shape_count ? static_cast<Shape>(choice.first) : Shape::general;
     return rc::gen::map(points<D>(shape, choice.second), [shape](const auto& p) { return Cloud<D>{shape, p}; });
   });

@@ -25,7 +25,7 @@ struct VertexPlan {
 };
 
 template <class T>
-rc::Gen<std::vector<T>> between(int low, int high, const rc::Gen<T>& element) {
+rc::Gen<std::vector<T>> list_of(int low, int high, const rc::Gen<T>& element) {
   return rc::gen::mapcat(rc::gen::inRange(low, high + 1),
                          [element](int n) { return rc::gen::container<std::vector<T>>(n, element); });
 }
@@ -69,8 +69,8 @@ rc::Gen<PosedModel> posed_model() {
       [](const RationalVec<3>& p, const std::vector<std::pair<int, int>>& parts) {
         return VertexPlan{p, parts};
       },
-      rational_vector<3>(), between(1, 5, rc::gen::pair(rc::gen::inRange(0, 60), small_positive_integer())));
-  return rc::gen::apply(assemble, between(1, 6, joint), between(3, 8, vertex));
+      rational_vector<3>(), list_of(1, 5, rc::gen::pair(rc::gen::inRange(0, 60), small_positive_integer())));
+  return rc::gen::apply(assemble, list_of(1, 6, joint), list_of(3, 8, vertex));
 }
 
 void showValue(const PosedModel& posed, std::ostream& out) {

@@ -7,6 +7,7 @@
 #include "algorithms/bake/weight_vertices.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/skinning/blend.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/list.hpp"
 
 namespace proptests::gen {
@@ -62,7 +63,6 @@ Transforms moderate_transforms() {
 }
 
 // Draws from the whole range, at any size of RapidCheck's.
-rc::Gen<int> any_of(int low, int high) { return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1)); }
 
 // Draws several joints, no two of which are turned alike or by 180 degrees against each other.
 Transforms generic_transforms(Turns turns) {
@@ -75,7 +75,7 @@ Transforms generic_transforms(Turns turns) {
         return RationalTransform{q, t};
       },
       rotation, rational_vector<3>());
-  return *rc::gen::suchThat(rc::gen::container<Transforms>(*any_of(2, 4), transform), [turns](const Transforms& c) {
+  return *rc::gen::suchThat(rc::gen::container<Transforms>(*between(2, 5), transform), [turns](const Transforms& c) {
     for (std::size_t i = 0; i < c.size(); ++i)
       for (std::size_t k = 0; k < i; ++k) {
         const Rational d = dot(c[i].rotation, c[k].rotation);
@@ -96,9 +96,9 @@ SetCase generic_set(Turns turns, const RationalVec<3>& p) {
   SetCase set;
   set.palette.transforms = generic_transforms(turns);
   auto& c = set.palette.transforms;
-  if (turns == Turns::any && *any_of(0, 2) > 0) make_signs_consistent<Rational>(c);
+  if (turns == Turns::any && *between(0, 3) > 0) make_signs_consistent<Rational>(c);
   const RationalVec<3> center = *rc::gen::suchThat(rational_vector<3>(), [p](const RationalVec<3>& r) { return r != p; });
-  if (*any_of(0, 1) == 1)  // a common joint
+  if (*between(0, 2) == 1)  // a common joint
     for (auto& other : c) other.translation = apply(c[0], center) - rotate(other.rotation, center);
   place_rotation_center<Rational>(set.palette, center);
   place_duals(set.palette);
@@ -140,9 +140,9 @@ rc::Gen<RefitCase> refit_case(Turns turns) {
   return rc::gen::exec([turns] {
     RefitCase c;
     c.reference.center = *rational_vector<3>();
-    if (*any_of(0, 99) >= 35) {
+    if (*between(0, 100) >= 35) {
       c.reference.radius = *positive_rational();
-      const int sets = *any_of(1, 2);
+      const int sets = *between(1, 3);
       for (int s = 0; s < sets; ++s) c.sets.push_back(generic_set(turns, c.reference.center));
       return c;
     }

@@ -4,18 +4,19 @@
 #include <random>
 
 #include "algorithms/runtime/mesh/quantize.hpp"
+#include "proptests/gen/any_place.hpp"
 
 namespace proptests::gen {
 
 using namespace refitlab;
 
 rc::Gen<MeshPlan> mesh_plan() {
-  const auto full = [](int low, int high) { return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); };
   return rc::gen::apply(
       [](int kind, int rings, int sides, int joints, unsigned seed) {
         return MeshPlan{kind < mesh_kind_count ? static_cast<MeshKind>(kind) : MeshKind::tube, rings, sides, joints, seed};
       },
-      full(0, mesh_kind_count + 5), full(2, 13), full(3, 9), full(1, 5), rc::gen::arbitrary<unsigned>());
+      between<int>(0, mesh_kind_count + 5), between<int>(2, 13), between<int>(3, 9), between<int>(1, 5),
+      rc::gen::arbitrary<unsigned>());
 }
 
 SkinnedMesh make_mesh(const MeshPlan& plan) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "algorithms/runtime/mesh/quantize.hpp"
+#include "proptests/gen/any_place.hpp"
 
 namespace proptests::gen {
 
@@ -13,14 +14,14 @@ using namespace refitlab;
 
 rc::Gen<WidePlan> wide_plan(int least_exponent, int greatest_exponent) {
   return rc::gen::exec([=] {
-    const auto full = [](int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1)); };
     WidePlan plan{};
     plan.joints = *rc::gen::element(2, 3, 4, 5, 8, 17, 90, 90, 1);
-    plan.influences = *rc::gen::element(plan.joints, plan.joints, std::min(plan.joints, full(2, 4)), std::min(plan.joints, 5), 1);
-    plan.vertices = full(3, 16);
-    const int any = full(least_exponent, greatest_exponent);
+    plan.influences =
+        *rc::gen::element(plan.joints, plan.joints, std::min(plan.joints, *between(2, 5)), std::min(plan.joints, 5), 1);
+    plan.vertices = *between(3, 17);
+    const int any = *between(least_exponent, greatest_exponent + 1);
     plan.exponent = *rc::gen::element(0, any, any, least_exponent, greatest_exponent);
-    plan.lengths = full(0, 2);
+    plan.lengths = *between(0, 3);
     plan.turn = *rc::gen::element(0.3, 1.0, 1e-4, 10.0, 0.0);
     plan.seed = *rc::gen::arbitrary<unsigned>();
     return plan;

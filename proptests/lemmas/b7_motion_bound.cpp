@@ -115,12 +115,12 @@ void blends_deviate_within_the_bound(Suite& t) {
   t.holds("dual quaternions deviate from the linear blend by no more than the bound, and turn what is not at the point",
           {.form = "beyond", .number_type = "rational", .cases = 600, .degenerate_at_least = 0.2}, [] {
             const ReachCase c(4);
-            RC_ASSERT(reach_hypotheses(c.transforms, c.cosine, c.u()) == Verdict::holds);
+            RC_ASSERT(deviation_hypotheses(c.transforms, c.cosine, c.u()) == Verdict::holds);
             RC_CLASSIFY(c.is_degenerate(), "degenerate");
             RC_CLASSIFY(c.are_close(), "close");
-            const auto found = dual_reach(c.transforms, c.cosine, c.point, c.u(), c.vertex);
+            const auto found = dual_quaternion_deviation(c.transforms, c.cosine, c.point, c.u(), c.vertex);
             RC_ASSERT(found.verdict == Verdict::holds);
-            RC_ASSERT(is_reached_vertex(c.transforms, c.cosine, c.point, c.u(), c.vertex, found) == Verdict::holds);
+            RC_ASSERT(is_deviated_vertex(c.transforms, c.cosine, c.point, c.u(), c.vertex, found) == Verdict::holds);
             const RationalVec<3> sum = found.carried + found.turned + found.deviated;
             RC_ASSERT(sum == oracle::dual_quaternion(c.transforms, c.w(), c.vertex));
           });
@@ -131,7 +131,7 @@ void blends_deviate_within_the_bound(Suite& t) {
             const auto center = least_squares_center(c.transforms);
             RC_ASSERT(is_least_squares_center(c.transforms, center) == Verdict::holds);
             RC_ASSERT(splits_spread(c.transforms, center, c.point) == Verdict::holds);
-            const auto found = spherical_reach(c.transforms, c.cosine, center, c.point, c.u(), c.vertex);
+            const auto found = spherical_deviation(c.transforms, c.cosine, center, c.point, c.u(), c.vertex);
             RC_ASSERT(found.verdict == Verdict::holds);
             const RationalVec<3> sum = found.carried + found.turned + found.deviated;
             RC_ASSERT(sum == oracle::spherical(c.transforms, c.w(), center, c.vertex));
@@ -139,7 +139,7 @@ void blends_deviate_within_the_bound(Suite& t) {
   t.holds("about any center nothing deviates if that is the point, and linear blending never does",
           {.form = "beyond", .number_type = "rational", .cases = 300}, [] {
             const ReachCase c(4);
-            const auto found = spherical_reach(c.transforms, Rational(1), c.point, c.point, c.u(), c.vertex);
+            const auto found = spherical_deviation(c.transforms, Rational(1), c.point, c.point, c.u(), c.vertex);
             RC_ASSERT(squared_norm(found.deviated) == 0 && squared_norm(found.turned) == squared_distance(c.vertex, c.point));
             const RationalVec<3> sum = found.carried + found.turned;
             RC_ASSERT(sum == oracle::spherical(c.transforms, c.w(), c.point, c.vertex));
@@ -171,7 +171,7 @@ void blends_deviate_within_the_bound(Suite& t) {
                               (is_sharp ? Rational(0) : *gen::unit_interval_rational()));
         const Rational least = is_sharp ? length : length * Rational(1, 2);
         const auto at = blend.at(c.u());
-        const auto images = images_of(transforms, c.point);
+        const auto images = images_of<Rational>(transforms, c.point);
         const RationalVec<3> deviation = at.numerator / at.denominator - combine<Rational, 3>(c.u(), images);
         RC_CLASSIFY(transforms.size() == 1, "degenerate");
         RC_ASSERT(squared_norm(deviation) <= squared_deviation_share<Rational>(c.u(), cosines, least) * squared_spread(images));
@@ -209,7 +209,8 @@ void joints_spread_within_the_bound(Suite& t) {
             const ReachCase c(4);
             const Transforms part(c.transforms.begin(),
                                   c.transforms.begin() + *rc::gen::inRange<int>(1, static_cast<int>(c.transforms.size()) + 1));
-            RC_ASSERT(squared_spread(images_of(part, c.point)) <= squared_spread(images_of(c.transforms, c.point)));
+            RC_ASSERT(squared_spread(images_of<Rational>(part, c.point)) <=
+                      squared_spread(images_of<Rational>(c.transforms, c.point)));
             RC_ASSERT(least_cosine(part) >= least_cosine(c.transforms));
           });
 }
@@ -218,24 +219,26 @@ void verdicts_and_witnesses_are_checked(Suite& t) {
   t.holds("no number type contradicts the exact verdict", {.number_type = "interval", .cases = 200}, [] {
     const ReachCase c(3);
     const Rational cosine = *rc::gen::element(c.cosine, Rational(1));
-    decide_by_all([]<class S>(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& point,
-                              const std::vector<S>& u,
-                              const Vec<S, 3>& vertex) { return dual_reach<S>(transforms, cosine, point, u, vertex).verdict; },
-                  c.transforms, cosine, c.point, c.weights, c.vertex);
+    decide_by_all(
+        []<class S>(const std::vector<RigidTransform<S>>& transforms, const S& cosine, const Vec<S, 3>& point,
+                    const std::vector<S>& u, const Vec<S, 3>& vertex) {
+          return dual_quaternion_deviation<S>(transforms, cosine, point, u, vertex).verdict;
+        },
+        c.transforms, cosine, c.point, c.weights, c.vertex);
   });
 
   t.holds("mutated witnesses are rejected", {.number_type = "rational", .cases = 400}, [] {
     const ReachCase c(4);
-    const auto good = dual_reach(c.transforms, c.cosine, c.point, c.u(), c.vertex);
-    const auto rejected = [&](const ReachedVertex<Rational>& w) {
-      return is_reached_vertex(c.transforms, c.cosine, c.point, c.u(), c.vertex, w) == Verdict::fails;
+    const auto good = dual_quaternion_deviation(c.transforms, c.cosine, c.point, c.u(), c.vertex);
+    const auto rejected = [&](const DeviatedVertex<Rational>& w) {
+      return is_deviated_vertex(c.transforms, c.cosine, c.point, c.u(), c.vertex, w) == Verdict::fails;
     };
     auto carried = good, turned = good, deviated = good;
     carried.carried += *gen::nonzero_vector<3>();
     turned.turned =
         turned.turned * Rational(2) + *gen::nonzero_vector<3>() * (Rational(8) * (Rational(1) + squared_norm(good.turned)));
     deviated.deviated +=
-        RationalVec<3>(1, 0, 0) * (Rational(8) * (Rational(1) + squared_spread(images_of(c.transforms, c.point))));
+        RationalVec<3>(1, 0, 0) * (Rational(8) * (Rational(1) + squared_spread(images_of<Rational>(c.transforms, c.point))));
     RC_ASSERT(rejected(carried) && rejected(deviated));
     RC_ASSERT(rejected(turned) || squared_norm(turned.turned) == squared_norm(good.turned));
   });
@@ -282,11 +285,11 @@ void hypotheses_need_each_part(Suite& t) {
           const Rational away = *rc::gen::element(Rational(0), Rational(10'000));
           for (auto& transform : transforms) transform.translation[0] += away;
         }
-        const Verdict hypothesis = reach_hypotheses(transforms, cosine, Span(weights));
+        const Verdict hypothesis = deviation_hypotheses(transforms, cosine, Span(weights));
         RC_PRE(blend_has_image(dual_blend(transforms, RationalVec<3>(0, 0, 0)), Span(weights)) == Verdict::holds);
         // A little off unit length the bound, which is sharp at one place only, has room. So it has for a close pair.
         if (!point || kind == 1 || kind == 2) return Weakening{part, hypothesis, {}};
-        return Weakening{part, hypothesis, dual_reach(transforms, cosine, *point, Span(weights), *point).verdict};
+        return Weakening{part, hypothesis, dual_quaternion_deviation(transforms, cosine, *point, Span(weights), *point).verdict};
       },
       1800);
   t.holds("the hypotheses hold up to their edges", {.number_type = "rational", .cases = 300}, [] {
@@ -330,9 +333,9 @@ void each_part_of_a_witness_is_checked(Suite& t) {
           });
   t.holds("each part of a witness is checked by itself", {.number_type = "rational", .cases = 300}, [] {
     const ReachCase c(4);
-    const auto good = dual_reach(c.transforms, c.cosine, c.point, c.u(), c.vertex);
-    const auto rejected = [&](const ReachedVertex<Rational>& w, const Rational& cosine) {
-      return is_reached_vertex(c.transforms, cosine, c.point, c.u(), c.vertex, w) == Verdict::fails;
+    const auto good = dual_quaternion_deviation(c.transforms, c.cosine, c.point, c.u(), c.vertex);
+    const auto rejected = [&](const DeviatedVertex<Rational>& w, const Rational& cosine) {
+      return is_deviated_vertex(c.transforms, cosine, c.point, c.u(), c.vertex, w) == Verdict::fails;
     };
     const Rational amount = *gen::excess();
     for (int i = 0; i < 3; ++i) {
@@ -346,9 +349,9 @@ void each_part_of_a_witness_is_checked(Suite& t) {
     // Where the cosine is 1 nothing may deviate.
     if (squared_norm(good.deviated) > 0) RC_ASSERT(rejected(good, Rational(1)));
     RC_ASSERT(good.verdict == Verdict::holds);
-    auto none = dual_reach(c.transforms, Rational(1), c.point, c.u(), c.vertex);
+    auto none = dual_quaternion_deviation(c.transforms, Rational(1), c.point, c.u(), c.vertex);
     RC_ASSERT(none.verdict == verdict_of(squared_norm(none.deviated) == 0));
-    none = spherical_reach(c.transforms, Rational(1), c.vertex, c.point, c.u(), c.vertex);
+    none = spherical_deviation(c.transforms, Rational(1), c.vertex, c.point, c.u(), c.vertex);
     RC_ASSERT(none.verdict == verdict_of(squared_norm(none.deviated) == 0));
   });
 }
@@ -373,7 +376,7 @@ void pairs_and_spreads_need_each_part(Suite& t) {
           part = "the sum of the weights";
           weights[k] += *gen::excess();
         }
-        return Weakening{part, reach_hypotheses(transforms, Rational(0), Span(weights)),
+        return Weakening{part, deviation_hypotheses(transforms, Rational(0), Span(weights)),
                          deviates_by_pairs(transforms, *gen::rational_vector<3>(), Span(weights))};
       },
       800);
@@ -408,9 +411,9 @@ void pairs_and_spreads_need_each_part(Suite& t) {
     const ReachCase c(4);
     const RationalVec<3> center = *gen::rational_vector<3>();
     RC_ASSERT(splits_spread(c.transforms, center, c.point) == Verdict::holds);
-    const Rational split = squared_spread(images_of(c.transforms, center)) +
-                           squared_spread(images_of(rotations_alone(c.transforms), RationalVec<3>(center - c.point)));
-    RC_CLASSIFY(squared_spread(images_of(c.transforms, c.point)) != split, "the spread does not split");
+    const Rational split = squared_spread(images_of<Rational>(c.transforms, center)) +
+                           squared_spread(images_of<Rational>(rotations_alone(c.transforms), RationalVec<3>(center - c.point)));
+    RC_CLASSIFY(squared_spread(images_of<Rational>(c.transforms, c.point)) != split, "the spread does not split");
   });
 }
 
@@ -418,8 +421,8 @@ void pinned_cases(Suite& t) {
   const auto deviates_without = [&t](const std::string& hypothesis, const std::string& sentence, const b7::Transforms& transforms,
                                      const b7::Q& cosine, const std::vector<b7::Q>& u) {
     t.example(sentence, {.form = "beyond", .hypothesis = hypothesis}, [&] {
-      return reach_hypotheses(transforms, cosine, Span(u)) == Verdict::fails &&
-             dual_reach(transforms, cosine, b7::y_axis, Span(u), b7::y_axis).verdict == Verdict::fails;
+      return deviation_hypotheses(transforms, cosine, Span(u)) == Verdict::fails &&
+             dual_quaternion_deviation(transforms, cosine, b7::y_axis, Span(u), b7::y_axis).verdict == Verdict::fails;
     });
   };
   deviates_without("the quaternions are less than a right angle apart", "on the long way round a point deviates too far",
@@ -431,8 +434,8 @@ void pinned_cases(Suite& t) {
   deviates_without("the weights are convex", "beyond the joints a point deviates too far", b7::short_way, b7::short_cosine,
                    b7::beyond_the_first);
   t.example("two joints at halves deviate by just the second bound", {.form = "beyond"}, [] {
-    const auto found = dual_reach(b7::short_way, b7::short_cosine, b7::y_axis, Span(b7::halves), b7::y_axis);
-    const b7::Q spread = squared_spread(images_of(b7::short_way, b7::y_axis));
+    const auto found = dual_quaternion_deviation(b7::short_way, b7::short_cosine, b7::y_axis, Span(b7::halves), b7::y_axis);
+    const b7::Q spread = squared_spread(images_of<Rational>(b7::short_way, b7::y_axis));
     return found.verdict == Verdict::holds && spread > 0 &&
            4 * (1 + b7::short_cosine) * squared_norm(found.deviated) == (1 - b7::short_cosine) * spread;
   });
@@ -440,7 +443,7 @@ void pinned_cases(Suite& t) {
             {.form = "beyond", .hypothesis = "the center is least-squares"}, [] {
               const Span u(b7::halves);
               return is_least_squares_center(b7::short_way, b7::elsewhere) == Verdict::fails &&
-                     spherical_reach(b7::short_way, b7::short_cosine, b7::elsewhere, b7::origin, u, b7::origin).verdict ==
+                     spherical_deviation(b7::short_way, b7::short_cosine, b7::elsewhere, b7::origin, u, b7::origin).verdict ==
                          Verdict::fails;
             });
 }

@@ -121,7 +121,7 @@ void skinned_vertices_stay_in_their_balls(Suite& t) {
           for (const auto& b : joints) cosine = std::min(cosine, dot(a.rotation, b.rotation));
         if (cosine < 0) return;
         blend = oracle::dual_quaternion(joints, w, vertex);
-        RC_ASSERT(squared_norm(blend) <= sq(Rational(reach + upper_root(squared_stray_in_any_pose(spread)))));
+        RC_ASSERT(squared_norm(blend) <= sq(Rational(reach + upper_root(squared_deviation_in_any_pose(spread)))));
       });
 }
 

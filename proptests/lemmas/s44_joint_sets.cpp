@@ -61,6 +61,10 @@ Point turned_by(const Quaternion<Rational>& q, const Point& x) {
   return imaginary(multiply(multiply(q, Quaternion<Rational>(0, x[0], x[1], x[2])), conjugate(q))) / squared_norm(q);
 }
 
+Point vertex_of(const PosedJointSet<Rational>& set, const std::vector<Rational>& w, const Point& v) {
+  return spherical_blend<Rational>(set.transforms, w, set.rotation_center, v);
+}
+
 bool is_vertex(const Node& n) {
   return is_vertex_of<Rational>(n.own(), n.reference, n.weights, n.vertex, n.coefficients) == Verdict::holds;
 }
@@ -89,7 +93,7 @@ void formulas_are_those_of_the_paper(Suite& t) {
             RC_CLASSIFY(n.weights.size() > 2, "three joints");
             RC_ASSERT(blended_rotation<Rational>(set.transforms, n.weights) == q);
             const Point deformed = linear + turned_by(q, n.vertex - set.rotation_center);
-            RC_ASSERT(blend_vertex<Rational>(set, n.weights, n.vertex) == deformed);
+            RC_ASSERT(vertex_of(set, n.weights, n.vertex) == deformed);
             const JointSets alone{set};
             const auto balls = joint_set_balls_repaired<Rational>(alone, n.reference.center);
             RC_ASSERT(balls.size() == set.weight_vertices.size());
@@ -107,7 +111,7 @@ void formulas_are_those_of_the_paper(Suite& t) {
   t.holds("the verdict on a vertex is whether the ball, larger by r, encloses it", {.number_type = "rational", .cases = 400}, [] {
     const Node n;
     RC_PRE(is_vertex(n));
-    const Point deformed = blend_vertex<Rational>(n.own(), n.weights, n.vertex);
+    const Point deformed = vertex_of(n.own(), n.weights, n.vertex);
     const Rational radius = abs(*gen::rational().as("R")), amount = *gen::positive_rational().as("amount");
     const Point way = *gen::sphere_point<3>();
     const auto verdict = [&](const Rational& distance) {
@@ -259,8 +263,7 @@ void balls_of_all_joint_sets_enclose_every_vertex(Suite& t) {
       const auto repaired = joint_set_balls_repaired<Rational>(c.sets, c.reference.center);
       const auto& own = c.sets[1];
       return is_vertex_of<Rational>(own, c.reference, c.weights, c.vertex, {1}) == Verdict::holds &&
-             blend_vertex<Rational>(own, c.weights, c.vertex) == c.deformed &&
-             encloses_parts<Rational>(c.ball, printed) == Verdict::holds &&
+             vertex_of(own, c.weights, c.vertex) == c.deformed && encloses_parts<Rational>(c.ball, printed) == Verdict::holds &&
              joint_set_vertex<Rational>(c.ball, own, c.reference, c.weights, c.vertex).verdict == Verdict::fails &&
              joint_set_vertex<Rational>(ball_around(repaired), own, c.reference, c.weights, c.vertex).verdict == Verdict::holds;
     });
@@ -273,7 +276,7 @@ void balls_of_all_joint_sets_enclose_every_vertex(Suite& t) {
     const auto joint = *gen::rigid_transform();
     const Point center = *gen::rational_vector<3>(), v = *gen::rational_vector<3>();
     const std::vector<Rational> w{1};
-    RC_ASSERT(blend_vertex<Rational>({{joint}, center, {{1}}}, w, v) == apply(joint, v));
+    RC_ASSERT(vertex_of({{joint}, center, {{1}}}, w, v) == apply(joint, v));
   });
 }
 

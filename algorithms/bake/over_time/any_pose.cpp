@@ -159,7 +159,7 @@ std::optional<AnyPoseBound> bound_any_pose(const Model& model, const JointSets& 
           const auto shared = ranges.links(std::span<const int>(paths[k]).first(common));
           squared_spread += sq(apart_at_most<double>(shared, beyond(k), beyond(l)) + 2 * beside);
         }
-    greatest = std::max(greatest, reach + beside + std::sqrt(squared_stray_in_any_pose(squared_spread)));
+    greatest = std::max(greatest, reach + beside + std::sqrt(squared_deviation_in_any_pose(squared_spread)));
   }
   const double rounding = renderer_rounding * (summed + reach_of_chain<double>(carrying, 0));
   return AnyPoseBound{above.back(), (greatest + rounding) * room_for_rounding + underflow_of_distance<double>()};

@@ -60,8 +60,8 @@ def animation_of(glb, nodes, number):
     if number < 0:
         return channels
     animation = glb.list("animations")[number]
-    samplers, meshes = items(animation, "samplers", dict), glb.list("meshes")
-    for channel in items(animation, "channels", dict):
+    samplers, meshes = items(animation, "samplers", dict, []), glb.list("meshes")
+    for channel in items(animation, "channels", dict, []):
         target = member(channel, "target", dict)
         if "node" not in target:  # as glTF lets readers ignore
             require("KHR_animation_pointer" not in member(target, "extensions", dict, {}), "a channel moves what a pointer names")
