@@ -217,8 +217,7 @@ Checked check_man(const PieceOptions& options) {
 void pieces_hold_all_vertices_and_get_smaller(Suite& t) {
   t.holds("every vertex is in a piece of its joint-set: in its ball, and in the hull of its weights",
           {.number_type = "rational", .cases = 60, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto plan = gen::classified_plan();
             const Rig rig(gen::make_mesh(plan));
             for (const PieceOptions& options : {PieceOptions{1}, {2}, {5}, {64}, {1, 1.5, 2.}, {3, 1, 0.5}, {1, 1.7}}) {
               const PieceTable table = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, options);
@@ -228,8 +227,7 @@ void pieces_hold_all_vertices_and_get_smaller(Suite& t) {
           });
   t.holds("more pieces are smaller pieces: the largest of a node never grows, and as many as allowed are made",
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto plan = gen::classified_plan();
             const Rig rig(gen::make_mesh(plan));
             const PieceTable few = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {1});
             const bool per_set = *rc::gen::arbitrary<bool>();
@@ -249,8 +247,7 @@ void pieces_hold_all_vertices_and_get_smaller(Suite& t) {
           });
   t.holds("the pieces that come first, at most four, have the same smallest ball as all of a node's pieces",
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto plan = gen::classified_plan();
             const Rig rig(gen::make_mesh(plan));
             const PieceOptions options = *rc::gen::element(PieceOptions{1}, PieceOptions{4}, PieceOptions{1, 4. / 3, 2});
             const PieceTable table = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, options);
@@ -411,8 +408,7 @@ void what_is_listed_by_its_vertices(Suite& t) {
             });
   t.holds("pieces of few vertices are these vertices, one by one, and all others stay as they are",
           {.number_type = "rational", .cases = 60, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto plan = gen::classified_plan();
             const Rig rig(gen::make_mesh(plan));
             const double factor = *rc::gen::element(0.25, 1., 2., 8.);
             const PieceTable plain = build_pieces(rig.tree, rig.vertices, rig.mesh, rig.sets, {1}),

@@ -160,8 +160,7 @@ void pairs_are_those_of_testing_all(Suite& t) {
           });
   t.holds("a character against itself in another place, by two bodies that share a tree",
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto plan = gen::classified_plan();
             const auto c = bake(gen::make_mesh(plan));
             const ClusterTree tree(c, drawn_options());
             const Skinning skinning = drawn_skinning();

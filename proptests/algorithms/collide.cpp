@@ -103,8 +103,7 @@ void pairs_are_those_of_testing_all(Suite& t) {
             }
           });
   t.holds("one body in two placements", {.number_type = "double", .cases = 50, .degenerate_at_least = 0.3}, [] {
-    const auto plan = *gen::mesh_plan();
-    RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+    const auto plan = gen::classified_plan();
     const auto c = bake(gen::make_mesh(plan));
     const RefitVariant& variant = drawn_variant();
     Body body(c, variant);
@@ -256,8 +255,7 @@ std::string refused_frame(Body& body, Random& random) {
 
 // Checks a body in frames that are refused in between, against one that never saw them.
 void check_frames_after_refused_ones() {
-  const auto plan = *gen::mesh_plan();
-  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  const auto plan = gen::classified_plan();
   std::mt19937 random(plan.seed);
   SkinnedMesh mesh = gen::make_mesh(plan);
   gen::add_targets(mesh, random);

@@ -51,8 +51,7 @@ CrowdOutcome outcome_of(std::span<ClusterBody* const> bodies, const Workers& wor
 void contacts_are_those_of_all_pairs(Suite& t) {
   t.holds("the contacts of a crowd are those of its pairs, one after the other, on one thread and on two",
           {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto plan = gen::classified_plan();
             const auto c = bake(gen::make_mesh(plan));
             const ClusterTree tree(c, {.most_triangles = 10, .most_children = 9});
             std::mt19937 random(plan.seed);

@@ -53,8 +53,7 @@ bool is_rejected(const std::string& line, const char* reason) {
 }
 
 void check_random_meshes() {
-  const auto plan = *gen::mesh_plan();
-  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  const auto plan = gen::classified_plan();
   const auto c = bake(gen::make_mesh(plan));
   std::mt19937 random(plan.seed);
   const Pose pose = gen::random_pose(c.mesh, random, 0.2);

@@ -108,8 +108,7 @@ std::string fault_of_infinite(const Drawn& d, const FrameOptions& options) {
 }
 
 Drawn draw() {
-  const auto plan = *gen::mesh_plan();
-  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  const auto plan = gen::classified_plan();
   return {gen::make_mesh(plan), plan.seed};
 }
 

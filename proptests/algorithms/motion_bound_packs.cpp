@@ -90,8 +90,7 @@ constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Ski
 void boxes_of_nodes_hold_their_vertices(Suite& t) {
   t.holds("the boxes of nodes hold their vertices on every target, however joints are turned",
           {.number_type = "float", .cases = 300, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto plan = gen::classified_plan();
             const auto c = bake(gen::make_mesh(plan), {.triangles_per_leaf = *rc::gen::element(1, 10)});
             NodeMotionBound nodes(c, all_nodes(c));
             if (nodes.packs.empty()) RC_DISCARD("too many joints");
@@ -211,8 +210,7 @@ void turning_joints_and_clusters_of_bodies(Suite& t) {
           });
   t.holds("the boxes of a body's clusters, from the joints alone or by control points, hold their vertices",
           {.number_type = "float", .cases = 200, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto plan = gen::classified_plan();
             const auto c = bake(gen::make_mesh(plan));
             const ClusterTree tree(c, {.most_triangles = *rc::gen::element(1, 5, 30), .most_children = 20});
             std::mt19937 random(plan.seed);

@@ -181,8 +181,7 @@ TreeOptions draw_options() {
 PROPTEST(sphere_tree) {
   t.holds("every triangle is in one leaf, children partition their parent, levels and leaf vertices are right",
           {.number_type = "double", .cases = 300, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto plan = gen::classified_plan();
             const SkinnedMesh model = gen::make_mesh(plan);
             const TreeOptions options = draw_options();
             const auto tree = build_sphere_tree(model, JointSets(model), options);
@@ -196,23 +195,20 @@ PROPTEST(sphere_tree) {
           });
   t.holds("each ball holds its vertices and is the smallest that does",
           {.number_type = "rational", .cases = 100, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto plan = gen::classified_plan();
             const SkinnedMesh model = gen::make_mesh(plan);
             RC_ASSERT(ball_fault(build_sphere_tree(model, JointSets(model), draw_options()), model) == "");
           });
   t.holds("the joint-sets of a node are those of its vertices, with all weight vertices of their weights' bounds",
           {.number_type = "rational", .cases = 60, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto plan = gen::classified_plan();
             const SkinnedMesh model = gen::make_mesh(plan);
             const JointSets sets(model);
             RC_ASSERT(weight_fault(build_sphere_tree(model, sets, draw_options()), model, sets) == "");
           });
   t.holds("pruning takes the inner nodes that are too large for what is above them, and no others",
           {.number_type = "double", .cases = 300, .degenerate_at_least = 0.3}, [] {
-            const auto plan = *gen::mesh_plan();
-            RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+            const auto plan = gen::classified_plan();
             const SkinnedMesh model = gen::make_mesh(plan);
             const TreeOptions options = draw_options();
             const JointSets sets(model);

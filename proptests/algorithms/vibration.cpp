@@ -102,8 +102,7 @@ Published published(const Character& c, int node, const std::vector<double>& q) 
 }
 
 void check_bd_tree() {
-  const auto plan = *gen::mesh_plan();
-  RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
+  const auto plan = gen::classified_plan();
   SkinnedMesh mesh = gen::make_mesh(plan);
   std::mt19937 random(plan.seed);
   gen::add_targets(mesh, random);

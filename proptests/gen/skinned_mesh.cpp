@@ -19,6 +19,12 @@ rc::Gen<MeshPlan> mesh_plan() {
       rc::gen::arbitrary<unsigned>());
 }
 
+MeshPlan classified_plan() {
+  const MeshPlan plan = *mesh_plan();
+  RC_CLASSIFY(is_degenerate(plan), "degenerate");
+  return plan;
+}
+
 SkinnedMesh make_mesh(const MeshPlan& plan) {
   std::mt19937 random(plan.seed);
   std::uniform_real_distribution<double> noise(-0.3, 0.3);

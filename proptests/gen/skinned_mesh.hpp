@@ -26,6 +26,9 @@ refitlab::SkinnedMesh make_mesh(const MeshPlan& plan);
 
 inline bool is_degenerate(const MeshPlan& plan) { return plan.kind != MeshKind::tube; }
 
+// Draws a plan in a property, and classifies the case as degenerate if the plan is.
+MeshPlan classified_plan();
+
 void showValue(const MeshPlan& plan, std::ostream& out);
 
 }  // namespace proptests::gen
