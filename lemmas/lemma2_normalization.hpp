@@ -15,7 +15,6 @@
 // uses 1 / f_i.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "lemmas/vocabulary/weights.hpp"

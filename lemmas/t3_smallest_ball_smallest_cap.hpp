@@ -14,7 +14,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "lemmas/lemma3_sphere_surface_intersection.hpp"
 #include "lemmas/t3_min_dot_distance.hpp"

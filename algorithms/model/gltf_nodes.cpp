@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/model/gltf_nodes.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace refitlab {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/model/keyed.hpp"
 
-#include <cmath>
 #include <memory>
 
 #include "algorithms/runtime/packs/float_environment.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "algorithms/bake/weight_vertices.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"

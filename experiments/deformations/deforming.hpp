@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 
 #include "experiments/deformations/deformed_pose.hpp"
 #include "experiments/scenes/animated_character.hpp"

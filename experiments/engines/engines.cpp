@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <iostream>
 #include <numbers>
-#include <optional>
 
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/verification/exact_skin.hpp"

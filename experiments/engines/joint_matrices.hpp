@@ -2,8 +2,6 @@
 // JointMatrices are the matrices of a pose's joints in float, as engines hand them to shaders, laid out for packs.
 #pragma once
 
-#include <span>
-#include <type_traits>
 #include <vector>
 
 #include "algorithms/runtime/balls/box.hpp"

@@ -2,7 +2,6 @@
 // The models and poses that every experiment shares are defined here once.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -2,7 +2,6 @@
 // Tests the joints of a model in an animation.
 #include "algorithms/bake/over_time/animated_joints.hpp"
 
-#include <cmath>
 #include <random>
 
 #include "proptests/gen/animated_model.hpp"

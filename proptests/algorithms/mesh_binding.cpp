@@ -4,7 +4,6 @@
 #include "algorithms/model/mesh_binding.hpp"
 
 #include <Eigen/LU>
-#include <cmath>
 #include <random>
 
 #include "algorithms/model/model_of_scene.hpp"

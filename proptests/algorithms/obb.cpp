@@ -3,7 +3,6 @@
 #include "algorithms/methods/volumes/obb.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <random>
 
 #include "algorithms/methods/volumes/aabb.hpp"

@@ -2,7 +2,6 @@
 #include "experiments/procedural/subdivide.hpp"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "proptests/gen/skinned_mesh.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests that each variant is what its name and description say: these pieces, this algorithm, these balls.
 #include <algorithm>
-#include <functional>
 #include <set>
 
 #include "algorithms/bake/bake.hpp"

@@ -2,7 +2,6 @@
 // Tests the boxes of the experiment on what engines ship: which of them hold every vertex, exactly, and the smallest rigs on
 // which the others do not.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/fuzz/scene_of_bytes.hpp"
 
-#include <cmath>
 #include <vector>
 
 #include "proptests/fuzz/byte_stream.hpp"

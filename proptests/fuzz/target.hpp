@@ -10,9 +10,8 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdlib>
-#include <iostream>
 #include <map>
+#include <stdexcept>
 #include <string>
 
 namespace proptests::fuzz {

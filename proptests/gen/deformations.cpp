@@ -2,7 +2,6 @@
 #include "proptests/gen/deformations.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "proptests/gen/random_pose.hpp"
 

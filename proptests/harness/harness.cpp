@@ -2,7 +2,6 @@
 #include "proptests/harness/harness.hpp"
 
 #include <chrono>
-#include <iostream>
 #include <sstream>
 
 #include "proptests/harness/session.hpp"

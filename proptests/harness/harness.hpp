@@ -18,7 +18,6 @@
 #include <map>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 namespace proptests {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lemmas/b3_subdivision.hpp"
 
-#include <cmath>
 #include <cstdio>
 
 #include "proptests/counterexamples/b3_subdivision.hpp"

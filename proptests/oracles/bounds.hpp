@@ -2,7 +2,6 @@
 // Computes what the bounds of a certificate prove, in double and written anew: the least radius that each leaves to a ball.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "algorithms/certificate/bound.hpp"

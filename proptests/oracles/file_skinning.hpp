@@ -7,7 +7,6 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace proptests::oracle {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <span>
 
 #include "algorithms/bake/over_time/moving_joints.hpp"
 #include "algorithms/runtime/mesh/joint_sets.hpp"

@@ -2,8 +2,6 @@
 #include "algorithms/runtime/batch/packed_nodes.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 
 #include "algorithms/runtime/packs/float_above.hpp"

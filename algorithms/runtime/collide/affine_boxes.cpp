@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/affine_boxes.hpp"
 
-#include <cmath>
 #include <limits>
 
 #include "algorithms/runtime/packs/float_environment.hpp"

@@ -46,7 +46,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <limits>
 #include <span>
 #include <type_traits>

@@ -2,7 +2,6 @@
 #include "algorithms/runtime/tree/check_character.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <map>
 
