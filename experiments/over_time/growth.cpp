@@ -23,7 +23,7 @@
 namespace refitlab {
 namespace {
 
-constexpr int man_triangles = 8270, finest_man_triangles = 16540, finest_subdivisions = 3;
+constexpr int finest_man_triangles = 16540, finest_subdivisions = 3;
 
 // Returns the model with only the first of its clips, the walk.
 Model walking(const Model& man) {

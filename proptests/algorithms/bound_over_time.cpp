@@ -38,7 +38,7 @@ class Scene {
   const AnimatedJoints& joints() const { return joints_; }
   const MovingVertices& vertices() const { return vertices_; }
   BoundOverTime bound(double tolerance, std::size_t most_halvings = 1 << 12) const {
-    return bound_over_time(joints_, vertices_, {tolerance, directions_, true, most_halvings});
+    return bound_over_time(joints_, vertices_, {tolerance, directions_, most_halvings});
   }
 
   // Says whether all vertices are in slabs and ball at a moment, by intervals; undecided where the moment is ambiguous.
@@ -306,7 +306,7 @@ void check_two_clips_together() {
   try {
     for (const std::size_t clip : {0, 1}) scenes[clip].emplace(model, skinning, directions, clip);
     const MovingJoints* const joints[] = {&scenes[0]->joints(), &scenes[1]->joints()};
-    bound = bound_over_time(joints, scenes[0]->vertices(), {0.1, directions, true, 1 << 10});
+    bound = bound_over_time(joints, scenes[0]->vertices(), {0.1, directions, 1 << 10});
     own = scenes[0]->bound(0.1);
   } catch (const ModelError& e) {
     RC_ASSERT(is_refusal(e.what()));

@@ -202,7 +202,7 @@ void crossfades_are_bounded_and_hardly_more(Suite& t) {
               joints.emplace(fade.model, fade.first, fade.second, gen::all_of(fade.model.joints), fade.blend,
                              fade.skinning != Skinning::linear);
               bound = bound_over_time(*joints, MovingVertices(fade.model, sets, fade.skinning, gen::all_of(fade.model.vertices)),
-                                      {std::array{0.1, 1.0, 1e6}[random() % 3], directions, true, 1 << 10});
+                                      {std::array{0.1, 1.0, 1e6}[random() % 3], directions, 1 << 10});
             } catch (const ModelError& e) {
               RC_ASSERT(is_refusal(e.what()));
               RC_TAG("refused");

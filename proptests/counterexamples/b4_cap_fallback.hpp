@@ -15,7 +15,7 @@ using Fallback = refitlab::CapFallback<Q>;
 inline const Point x(0, 1, 0), no_offset(0, 0, 0);
 inline const std::vector<Point> at_origin{Point(0, 0, 0), Point(0, 0, 0)};
 inline const std::vector<Q> halves{Q(1, 2), Q(1, 2)}, second{0, 1}, beyond_the_second{-1, 2};
-inline const Rotation identity(1, 0, 0, 0), no_axis(0, 0, 0, 0);
+inline const Rotation identity(1, 0, 0, 0);
 
 // kappa^2 = 1 allows no rotation but the axis itself.
 inline const Fallback too_narrow{{identity, Rotation(Q(3, 5), Q(4, 5), 0, 0)}, at_origin, identity, 1};

@@ -309,7 +309,6 @@ BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const
   for (std::size_t d = 0; d < options.directions.size(); ++d)
     out.slabs.push_back({-slabs.bound()[2 * d + 1], slabs.bound()[2 * d]});
   out.slab_intervals = slabs.intervals(), out.moments = slabs.moments(), out.gap = slabs.gap();
-  if (!options.with_ball) return out;
 
   const Point3 center = near_center(directions.extremes);
   DistanceFunction distance(center, options.tolerance);

@@ -23,7 +23,6 @@ struct OverTimeOptions {
   double tolerance = 0.01;
   // There is at least one, and its length is from 1e-100 to 1e100.
   std::vector<Point3> directions = {Point3::UnitX(), Point3::UnitY(), Point3::UnitZ()};
-  bool with_ball = true;
   // This limits the halvings of all cells together, for slabs and for the ball. Without it, a set of vertices that hardly has a
   // size would be looked at for ever.
   std::size_t most_halvings = std::size_t(1) << 16;
