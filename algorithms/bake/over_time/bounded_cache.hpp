@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A BoundedCache keeps what several threads compute and share, up to a number of entries. Later values are computed again each
-// time.
+// A BoundedCache keeps what several threads compute and share. If it has a limit, values beyond that number are computed again
+// each time.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -12,7 +13,7 @@ namespace refitlab {
 template <class Key, class Value>
 class BoundedCache {
  public:
-  explicit BoundedCache(std::size_t most) : most_(most) {}
+  explicit BoundedCache(std::size_t most = std::numeric_limits<std::size_t>::max()) : most_(most) {}
 
   // Returns the known value of the key, or what `make()` returns.
   template <class Make>

@@ -140,14 +140,8 @@ FadingClip::FadingClip(const Model& model, const Animation& animation, const Ani
 }
 
 std::shared_ptr<const FadingClip::Motions> FadingClip::motions(int first_part, int last_part) const {
-  const std::pair key{first_part, last_part};
-  {
-    const std::lock_guard lock(guard_);
-    if (const auto found = known_.find(key); found != known_.end()) return found->second;
-  }
-  auto made = std::make_shared<const Motions>(first_part == last_part ? of_part(first_part) : of_parts(first_part, last_part));
-  const std::lock_guard lock(guard_);
-  return known_.try_emplace(key, std::move(made)).first->second;
+  return known_.get({first_part, last_part},
+                    [&] { return first_part == last_part ? of_part(first_part) : of_parts(first_part, last_part); });
 }
 
 FadingClip::Motions FadingClip::of_part(int part) const {

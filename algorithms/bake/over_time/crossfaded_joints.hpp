@@ -6,8 +6,6 @@
 // by nlerp on the shorter way (c7_crossfade). A node that one of the animations does not move rests in it.
 #pragma once
 
-#include <map>
-#include <mutex>
 #include <span>
 
 #include "algorithms/bake/over_time/bounded_cache.hpp"
@@ -55,8 +53,7 @@ class FadingClip {
   bool needs_stretches_;
   std::vector<double> times_, jumps_;
   std::vector<const WeightTrack*> weight_tracks_;  // by morphed mesh; nullptr where weights stay
-  mutable std::mutex guard_;
-  mutable std::map<std::pair<int, int>, std::shared_ptr<const Motions>> known_;
+  mutable BoundedCache<std::pair<int, int>, Motions> known_;
 };
 
 class CrossfadedJoints : public MovingJoints {
