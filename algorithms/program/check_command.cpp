@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <limits>
 #include <mutex>
-#include <numeric>
 #include <ostream>
 #include <random>
 
@@ -248,8 +247,7 @@ int run_check(const std::vector<std::string>& arguments, std::ostream& out, std:
       report(joints.name() + ", nodes of the tree",
              check_parts(model, sets, baked.skinning, joints, nodes, clip.nodes, keys, samples, seed));
   }
-  std::vector<int> all(model.joints.size());
-  std::iota(all.begin(), all.end(), 0);
+  const std::vector<int> all = indices_below(model.joints.size());
   for (const ClusterBounds::Crossfade& fade : baked.clusters.crossfades) {
     const Clip &first = model.clips[fade.first], &second = model.clips[fade.second];
     const CrossfadedJoints joints(model, first.animation, second.animation, all, baked.rotations, needs_pose);

@@ -2,7 +2,6 @@
 #include "experiments/over_time/crossfade_checks.hpp"
 
 #include <mutex>
-#include <numeric>
 
 #include "algorithms/bake/over_time/crossfaded_joints.hpp"
 #include "algorithms/bake/parallel.hpp"
@@ -14,12 +13,6 @@ namespace refitlab {
 namespace {
 
 ParameterMoment::Coordinate evenly_spaced(double end, int index, int count) { return {end * index / (count - 1), Side::after}; }
-
-std::vector<int> indices_below(std::size_t count) {
-  std::vector<int> all(count);
-  std::iota(all.begin(), all.end(), 0);
-  return all;
-}
 
 // Returns how far a part gets beyond the farthest wall. It is less than 0 if it stays inside.
 double beyond(const Extremes& seen, const Box<float>& box) {

@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <mutex>
-#include <numeric>
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "algorithms/bake/parallel.hpp"
@@ -36,9 +35,7 @@ WatchedClip::WatchedClip(const Model& model, const JointSets& sets, const Animat
 std::vector<Extremes> WatchedClip::at(std::span<const double> times) const {
   std::vector<Extremes> found(parts_.size());
   std::mutex guard;
-  std::vector<int> all(model_.vertices.size());
-  std::iota(all.begin(), all.end(), 0);
-  const MovingVertices moving(model_, sets_, skinning_, all);
+  const MovingVertices moving(model_, sets_, skinning_, indices_below(model_.vertices.size()));
   parallel_for((times.size() + times_at_once - 1) / times_at_once, [&](std::size_t batch) {
     const DefaultFloatEnvironment environment;
     const AnimatedJoints joints(model_, animation_, skinning_ != Skinning::linear);

@@ -2,7 +2,6 @@
 #include "experiments/pictures/sampled_miss_figure.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
 #include "experiments/over_time/sampled_boxes.hpp"
@@ -69,11 +68,10 @@ void draw(const Model& made, const Worst& worst, PictureTable& pictures) {
   const Box<float> sampled = sampled_boxes(WatchedClip(model, sets, clip->animation, skinning, watched), *way)[0],
                    bound = bounds.clips[0].parts[part].box;
 
-  std::vector<int> all(model.vertices.size());
-  std::iota(all.begin(), all.end(), 0);
   const AnimatedJoints joints(model, clip->animation, skinning != Skinning::linear);
   std::vector<Point3> vertices;
-  MovingVertices(model, sets, skinning, all).place(*joints.at(worst.miss.time, Side::after), Followed::skinned, vertices);
+  MovingVertices(model, sets, skinning, indices_below(model.vertices.size()))
+      .place(*joints.at(worst.miss.time, Side::after), Followed::skinned, vertices);
 
   const std::vector<Point3> framed = corners_of(bound);
   const double size = norm<double, 3>(framed.back() - framed.front());

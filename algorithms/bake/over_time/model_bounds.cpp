@@ -10,7 +10,6 @@
 #include <limits>
 #include <map>
 #include <mutex>
-#include <numeric>
 #include <stdexcept>
 
 #include "algorithms/bake/over_time/animated_joints.hpp"
@@ -173,9 +172,7 @@ std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles) {
   if (cluster_triangles != 0 &&
       (cluster_triangles < 4 || cluster_triangles > most_meshlet_triangles || cluster_triangles % 4 != 0))
     throw std::invalid_argument("parts_of: clusters have a multiple of 4 triangles, from 4 to 512");
-  std::vector<int> all(model.vertices.size());
-  std::iota(all.begin(), all.end(), 0);
-  std::vector<ModelPart> parts = {{PartKind::whole, -1, all, {}}}, primitives, clusters;
+  std::vector<ModelPart> parts = {{PartKind::whole, -1, indices_below(model.vertices.size()), {}}}, primitives, clusters;
   std::map<std::pair<PartKind, int>, std::vector<int>> joined;  // vertices of skins and meshes
   const auto add = [&](int source, const std::vector<int>& triangles) {
     if (triangles.empty()) return;
@@ -199,8 +196,7 @@ std::vector<ModelPart> parts_of(const Model& model, int cluster_triangles) {
     add(static_cast<int>(s), triangles);
   }
   if (model.sources.empty()) {
-    std::vector<int> triangles(model.triangles.size());
-    std::iota(triangles.begin(), triangles.end(), 0);
+    const std::vector<int> triangles = indices_below(model.triangles.size());
     add(-1, triangles);
   }
   for (auto& [key, vertices] : joined) parts.push_back({key.first, key.second, in_order(std::move(vertices)), {}});
@@ -352,8 +348,7 @@ std::vector<BoundedPart> bounds_of_all(const ModelBounds& bounds) {
 
 ClusterBounds clusters_of(const Model& model, const ModelBounds& bounds) {
   ClusterBounds out{.dop = bounds.dop};
-  std::vector<int> in_source(model.triangles.size(), -1);  // by triangle of the model; its own where there are no sources
-  std::iota(in_source.begin(), in_source.end(), 0);
+  std::vector<int> in_source = indices_below(model.triangles.size());  // by triangle of the model; its own without sources
   for (const SourcePrimitive& s : model.sources) out.primitives.push_back({s.node, s.mesh, s.primitive, s.skin});
   if (model.sources.empty()) out.primitives.push_back({-1, -1, -1, -1});
   std::vector<std::size_t> parts;

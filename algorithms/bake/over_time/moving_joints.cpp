@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/bake/over_time/moving_joints.hpp"
 
+#include <numeric>
+
 namespace refitlab {
 
 void check_finite(const MovingJoints& joints, const PosedJoints& posed, const std::string& moment) {
@@ -23,6 +25,12 @@ std::vector<ParameterMoment> corners_of(const ParameterBox& box) {
       else corners[c].coordinates.push_back({range.start, Side::after});
     }
   return corners;
+}
+
+std::vector<int> indices_below(std::size_t count) {
+  std::vector<int> all(count);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
 }
 
 }  // namespace refitlab

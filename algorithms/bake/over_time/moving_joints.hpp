@@ -105,4 +105,7 @@ void check_finite(const MovingJoints& joints, const PosedJoints& posed, const st
 // Returns the corners of a box, which are made of its ranges' ends.
 std::vector<ParameterMoment> corners_of(const ParameterBox& box);
 
+// Returns the numbers from 0 on, which are the indices of all vertices or joints.
+std::vector<int> indices_below(std::size_t count);
+
 }  // namespace refitlab
