@@ -155,8 +155,7 @@ class EngineExperiment {
 }  // namespace
 
 EngineResult run_engines(const Model& made, const EngineSettings& settings) {
-  Model model = with_keys(made);
-  if (settings.clips > 0 && model.clips.size() > static_cast<std::size_t>(settings.clips)) model.clips.resize(settings.clips);
+  const Model model = with_keys(made, settings.clips);
   return EngineExperiment(model, settings).run();
 }
 

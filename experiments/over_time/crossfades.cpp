@@ -24,8 +24,7 @@ void print(const CrossfadesResult& r) {
 }  // namespace
 
 std::vector<CrossfadesResult> run_crossfades(const Model& made, const CrossfadeSettings& settings) {
-  Model model = with_keys(made);
-  if (settings.clips > 0 && model.clips.size() > static_cast<std::size_t>(settings.clips)) model.clips.resize(settings.clips);
+  const Model model = with_keys(made, settings.clips);
   std::vector<CrossfadesResult> results;
   if (model.clips.size() < 2) return results;
   const JointSets sets(model);

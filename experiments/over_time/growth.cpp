@@ -25,13 +25,6 @@ namespace {
 
 constexpr int finest_man_triangles = 16540, finest_subdivisions = 3;
 
-// Returns the model with only the first of its clips, the walk.
-Model walking(const Model& man) {
-  Model model = with_keys(man);
-  model.clips.resize(1);
-  return model;
-}
-
 long cluster_count(const Model& model) {
   const auto parts = parts_of(model, ModelBoundsOptions{}.cluster_triangles);
   return std::count_if(parts.begin(), parts.end(), [](const ModelPart& part) { return part.kind == PartKind::cluster; });
@@ -104,7 +97,7 @@ std::vector<OverTimeGrowth> run_over_time_growth(const OverTimeGrowthSettings& s
     if (row.peak_of_all > 0) std::printf("; peak %.0f MB, with the character %.0f MB", row.peak_of_bounding, row.peak_of_all);
     std::cout << std::endl;
   };
-  const Model man = walking(make_man());
+  const Model man = with_keys(make_man(), 1);  // whose first clip is the walk
   for (const int walk_cycles : {1, 2, 4, 8, 16}) add(longer(man, walk_cycles, settings.repetitions));
   Model fine = man;
   for (int i = 0; i <= settings.subdivisions; ++i) {
@@ -112,7 +105,7 @@ std::vector<OverTimeGrowth> run_over_time_growth(const OverTimeGrowthSettings& s
     add(finer(fine, settings.repetitions));
   }
   if (settings.up_to_a_million) {
-    fine = walking(make_man(finest_man_triangles));
+    fine = with_keys(make_man(finest_man_triangles), 1);
     for (int i = 0; i < finest_subdivisions; ++i) fine = subdivide(fine);
     add(finer(fine, settings.repetitions));
   }

@@ -62,13 +62,14 @@ void print(const OverTimeResult& r) {
 
 }  // namespace
 
-Model with_keys(const Model& model) {
-  return model.skeleton.joints.size() == model.joints.size() ? model : keyed(model, keys_a_second);
+Model with_keys(const Model& made, int most_clips) {
+  Model model = made.skeleton.joints.size() == made.joints.size() ? made : keyed(made, keys_a_second);
+  if (most_clips > 0 && model.clips.size() > static_cast<std::size_t>(most_clips)) model.clips.resize(most_clips);
+  return model;
 }
 
 std::vector<OverTimeResult> run_over_time(const Model& made, const OverTimeSettings& settings) {
-  Model model = with_keys(made);
-  if (settings.clips > 0 && model.clips.size() > static_cast<std::size_t>(settings.clips)) model.clips.resize(settings.clips);
+  const Model model = with_keys(made, settings.clips);
   const JointSets sets(model);
   std::vector<OverTimeResult> results;
   std::vector<Bounded> found;

@@ -20,8 +20,8 @@ struct OverTimeResult {
 };
 
 // Returns the model with a skeleton of keys. It is the model as it is, or it gets ten keys a second for each clip, as an animator
-// sets them.
-Model with_keys(const Model& model);
+// sets them. Only the first clips are kept, if most_clips is not 0.
+Model with_keys(const Model& made, int most_clips = 0);
 
 // Returns the results by skinning. Progress goes to stdout.
 std::vector<OverTimeResult> run_over_time(const Model& model, const OverTimeSettings& settings);
