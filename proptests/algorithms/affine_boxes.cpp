@@ -239,7 +239,7 @@ void check_clusters() {
   SkinnedMesh mesh = gen::make_mesh(plan);
   gen::add_targets(mesh, random);
   RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
-  const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
+  const Skinning skinning = gen::drawn_skinning();
   const JointKind kind = *rc::gen::element(JointKind::uniform, JointKind::axes, JointKind::shear, JointKind::mirrored);
   const Character c = bake(mesh, {.triangles_per_leaf = *rc::gen::element(1, 3)}, {Pieces::mixed});
   const ClusterOptions options{.most_triangles = *rc::gen::element(1, 4, 16), .most_children = 3};

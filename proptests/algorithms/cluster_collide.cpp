@@ -25,9 +25,6 @@ namespace {
 using namespace refitlab;
 using oracle::sorted;
 
-Skinning drawn_skinning() {
-  return *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
-}
 ClusterOptions drawn_options() {
   return {.most_triangles = *rc::gen::element(1, 3, 10, 25, most_cluster_triangles),
           .most_children = *rc::gen::element(2, 3, 9, 32)};
@@ -131,7 +128,7 @@ void pairs_are_those_of_testing_all(Suite& t) {
             const Character a = bake(gen::make_mesh(plan_a), {.triangles_per_leaf = *rc::gen::element(1, 40)}),
                             b = bake(std::move(other));
             const ClusterTree tree_a(a, drawn_options()), tree_b(b, drawn_options());
-            const Skinning skinning = drawn_skinning();
+            const Skinning skinning = gen::drawn_skinning();
             ClusterBody first(tree_a, skinning), second(tree_b, skinning);
             PairMemory memory;
             std::mt19937 random(plan_a.seed);
@@ -163,7 +160,7 @@ void pairs_are_those_of_testing_all(Suite& t) {
             const auto plan = gen::classified_plan();
             const auto c = bake(gen::make_mesh(plan));
             const ClusterTree tree(c, drawn_options());
-            const Skinning skinning = drawn_skinning();
+            const Skinning skinning = gen::drawn_skinning();
             std::mt19937 random(plan.seed);
             const Pose pose = gen::random_pose(c.mesh, random);
             const RigidTransform<double> at{gen::random_rotation(random, 1), {0.3, 0, 0.1}}, here{};
@@ -189,7 +186,7 @@ void check_memory_of_other_bodies() {
   RC_CLASSIFY(gen::is_degenerate(plan_a) || gen::is_degenerate(plan_b), "degenerate");
   const Character a = bake(gen::make_mesh(plan_a)), b = bake(gen::make_mesh(plan_b));
   const ClusterTree tree_a(a, drawn_options()), tree_b(b, drawn_options());
-  const Skinning skinning = drawn_skinning();
+  const Skinning skinning = gen::drawn_skinning();
   ClusterBody one(tree_a, skinning), two(tree_a, skinning), three(tree_b, skinning);
   ClusterBody* const bodies[] = {&one, &two, &three};
   const Character* const characters[] = {&a, &a, &b};
@@ -226,7 +223,7 @@ void check_placements_at_the_end_of_double() {
   RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
   const Character c = bake(gen::make_mesh(plan));
   const ClusterTree tree(c, drawn_options());
-  const Skinning skinning = drawn_skinning();
+  const Skinning skinning = gen::drawn_skinning();
   ClusterBody first(tree, skinning), second(tree, skinning);
   std::mt19937 random(plan.seed);
   const Pose pose = gen::random_pose(c.mesh, random);

@@ -203,8 +203,7 @@ void pairs_are_those_of_all_triangles(Suite& t) {
               return ClusterOptions{.most_triangles = *rc::gen::element(1, 10, 100, most_cluster_triangles)};
             };
             const ClusterTree tree_a(a, most()), tree_b(b, most());
-            const Skinning skinning =
-                *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
+            const Skinning skinning = gen::drawn_skinning();
             SkinnedClusters first(tree_a, skinning), second(tree_b, skinning);
             ClusterPairScratch scratch;
             std::mt19937 random(plan_b.seed);

@@ -16,6 +16,7 @@
 #include "algorithms/runtime/collide/collide.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/verification/exact_skin.hpp"
+#include "proptests/gen/accepted.hpp"
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/refuses.hpp"
@@ -37,7 +38,7 @@ const char* const kind_names[] = {"rigid", "uniform", "axes", "shear", "mirrored
 // Holds a mesh, its skinning, and what deforms it. Linear skinning has affine joints, other skinning rigid ones and scales.
 struct Deformed {
   gen::WidePlan plan = *gen::wide_plan(-1074, 130);
-  Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
+  Skinning skinning = gen::drawn_skinning();
   JointKind kind = *rc::gen::element(JointKind::rigid, JointKind::uniform, JointKind::axes, JointKind::shear, JointKind::mirrored,
                                      JointKind::flat, JointKind::extreme, JointKind::mixed);
   bool scales = *rc::gen::element(true, true, true, false);

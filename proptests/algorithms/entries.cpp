@@ -196,10 +196,7 @@ PROPTEST(entries) {
   t.holds("BatchRefit holds all vertices on every target, or refuses lengths beyond single precision", over_all_ranges(120),
           [] { RC_ASSERT(is_held_by_batches(drawn_world())); });
   t.holds("PalettePacks and PackedVertices are make_skinning_palette and skin, to the last bit, on every target",
-          over_all_ranges(120), [] {
-            RC_ASSERT(are_packs_the_same(drawn_world(), *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl,
-                                                                          Skinning::dual_quaternion)));
-          });
+          over_all_ranges(120), [] { RC_ASSERT(are_packs_the_same(drawn_world(), gen::drawn_skinning())); });
   t.holds("collide of clusters, of sphere trees and of crowds find the pairs that testing all pairs finds", over_all_ranges(120),
           [] {
             const World w = drawn_world();

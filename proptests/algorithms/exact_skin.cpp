@@ -6,6 +6,7 @@
 #include <random>
 
 #include "lemmas/exact/lift.hpp"
+#include "proptests/gen/accepted.hpp"
 #include "proptests/gen/posed_model.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/skinning.hpp"
@@ -121,8 +122,7 @@ PROPTEST(exact_skin) {
           });
   t.holds("a ball has a vertex exactly if rationals say so, to the last bit of its radius",
           {.number_type = "rational", .cases = 3000, .tags_at_least = {{"in and out", 0.7}, {"far", 0.4}}}, [] {
-            const Skinning skinning =
-                *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
+            const Skinning skinning = gen::drawn_skinning();
             Skinned s(*gen::posed_model(), skinning);
             check_verdicts(s, *rc::gen::inRange(0, static_cast<int>(s.posed.mesh.vertices.size())));
           });

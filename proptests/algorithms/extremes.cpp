@@ -11,6 +11,7 @@
 #include "algorithms/runtime/collide/collide.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "algorithms/verification/exact_skin.hpp"
+#include "proptests/gen/accepted.hpp"
 #include "proptests/gen/extreme_models.hpp"
 #include "proptests/gen/rigged_gltf.hpp"
 #include "proptests/gen/wide_models.hpp"
@@ -25,8 +26,6 @@ using namespace refitlab;
 using gen::ExtremeModel;
 using gen::RiggedGltf;
 using oracle::sorted;
-
-constexpr Skinning skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
 // Holds a character in a pose, by one skinning, and how large its numbers are.
 struct Posed {
@@ -69,7 +68,7 @@ std::string complaint(const Character& c, Posed& posed, const Balls& ball_of) {
 
 std::string refit_complaints(const Character& c, const Pose& pose) {
   std::string out;
-  for (const Skinning skinning : skinnings) {
+  for (const Skinning skinning : gen::all_skinnings) {
     Posed posed(c, pose, skinning);
     const Skinning bounded = skinning == Skinning::hejl ? Skinning::spherical : skinning;
     for (const RefitVariant& variant : compared_variants()) {
@@ -110,7 +109,7 @@ std::string batch_complaints(const Character& c, const Pose& pose) {
 // Checks queries in which the second body stands a little beside the first, and so in contact.
 std::string collision_complaints(const Character& c, const Pose& pose) {
   std::string out;
-  for (const Skinning skinning : skinnings) {
+  for (const Skinning skinning : gen::all_skinnings) {
     const Posed posed(c, pose, skinning);
     const RigidTransform<double> beside{{0.6, 0.8, 0, 0}, {0.01 * posed.size, 0, 0}};
     const auto expected = oracle::all_pairs({c, pose, {}}, {c, pose, beside}, skinning);

@@ -33,6 +33,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/procedural/subdivide.hpp"
 #include "experiments/scenes/animated_character.hpp"
+#include "proptests/gen/accepted.hpp"
 #include "proptests/gen/animated_model.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/float_mode.hpp"
@@ -90,8 +91,6 @@ Model snake_with_denormals() {
   for (std::size_t v = 1; v < model.vertices.size(); v += 7) model.vertices[v] = Point3(0x1p-1060, 0x1p-1070, 0x1p-1074);
   return model;
 }
-
-constexpr Skinning skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
 // Holds what the entries are asked about, made in the default mode.
 struct World {
@@ -155,7 +154,7 @@ std::vector<Entry> building_entries() {
 
 std::vector<Entry> refitting_entries() {
   std::vector<Entry> entries;
-  for (const Skinning skinning : skinnings)
+  for (const Skinning skinning : gen::all_skinnings)
     entries.push_back(
         {"poses and skin, skinning " + std::to_string(static_cast<int>(skinning)), [skinning](const World& w, Bytes& out) {
            const auto& c = w.character;
@@ -220,7 +219,7 @@ std::vector<Entry> refitting_entries() {
 
 std::vector<Entry> query_entries() {
   std::vector<Entry> entries;
-  for (const Skinning skinning : skinnings)
+  for (const Skinning skinning : gen::all_skinnings)
     entries.push_back(
         {"ClusterBody, skinning " + std::to_string(static_cast<int>(skinning)), [skinning](const World& w, Bytes& out) {
            const ClusterTree tree(w.character, {.most_triangles = 32, .most_children = 4});

@@ -18,8 +18,6 @@ namespace {
 
 using namespace refitlab;
 
-constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
-
 Box<double> box_of_vertices(const SkinnedMesh& model, const JointSets& sets, const Pose& pose, Skinning skinning,
                             const RigidTransform<double>& placement) {
   auto box = Box<double>::empty();
@@ -64,7 +62,7 @@ void boxes_hold_their_vertices(Suite& t) {
             put_joints_far_away(model, random);
             const JointSets sets(model);
             const double spread = *rc::gen::element(0.0, 1e-5, 1e-3, 0.1, 0.5, 3.0);
-            for (const Skinning skinning : all_skinnings) {
+            for (const Skinning skinning : gen::all_skinnings) {
               MotionBound motion_bound(model, sets, skinning);
               for (int frame = 0; frame < 4; ++frame) {
                 Pose pose = gen::random_pose(model, random, spread);
@@ -174,7 +172,7 @@ void swept_vertices_rigid_poses_and_many_joints(Suite& t) {
     for (Point3& v : model.vertices) v *= 1e25;
     const JointSets sets(model);
     bool ok = true;
-    for (const Skinning skinning : all_skinnings)
+    for (const Skinning skinning : gen::all_skinnings)
       ok = ok && is_everything(MotionBound(model, sets, skinning).box(reference_pose(model), {}));
     return Checked(ok, 4);
   });
@@ -182,7 +180,7 @@ void swept_vertices_rigid_poses_and_many_joints(Suite& t) {
     const Model creature = make_creature();  // It has 56 joints.
     const JointSets sets(creature);
     bool ok = true;
-    for (const Skinning skinning : all_skinnings) {
+    for (const Skinning skinning : gen::all_skinnings) {
       MotionBound motion_bound(creature, sets, skinning);
       for (std::size_t joint = 0; joint < creature.joints.size(); ++joint) {
         Pose pose = reference_pose(creature);
@@ -204,7 +202,7 @@ void boxes_of_a_walking_man(Suite& t) {
     const JointSets sets(man);
     bool ok = true;
     std::string text = "sum of widths over that of the vertices' box: ";
-    for (const Skinning skinning : all_skinnings) {
+    for (const Skinning skinning : gen::all_skinnings) {
       MotionBound motion_bound(man, sets, skinning);
       double bounded = 0, exact = 0;
       for (int i = 0; i < 20; ++i) {
@@ -214,7 +212,7 @@ void boxes_of_a_walking_man(Suite& t) {
         bounded += box.extent(), exact += of_vertices.extent();
       }
       ok = ok && bounded < (skinning == Skinning::hejl ? 1.21 : 1.16) * exact;
-      text += (skinning == all_skinnings[0] ? "" : ", ") + std::to_string(bounded / exact);
+      text += (skinning == gen::all_skinnings[0] ? "" : ", ") + std::to_string(bounded / exact);
     }
     return Checked(ok, 80, text);
   });
@@ -235,7 +233,7 @@ void boxes_of_a_walking_man(Suite& t) {
     Pose negated = pose;
     for (std::size_t j = 0; j < negated.size(); j += 2) negated[j].rotation = -negated[j].rotation;
     bool ok = true;
-    for (const Skinning skinning : all_skinnings) {
+    for (const Skinning skinning : gen::all_skinnings) {
       MotionBound motion_bound(man, sets, skinning);
       const Box<double> box = motion_bound.box(pose, {}), again = motion_bound.box(negated, {});
       ok = ok && (box.low - again.low).norm() < 1e-4 && (box.high - again.high).norm() < 1e-4;
@@ -278,7 +276,7 @@ void boxes_without_end(Suite& t) {
     const SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
     const JointSets sets(model);
     long wrong = 0, tried = 0;
-    for (const Skinning skinning : all_skinnings) {
+    for (const Skinning skinning : gen::all_skinnings) {
       MotionBound motion_bound(model, sets, skinning);
       for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinite, -infinite, 1e200, 1e30})
         for (int joint = 0; joint < 3; ++joint)
@@ -298,7 +296,7 @@ void poses_of_the_wrong_length(Suite& t) {
     const JointSets sets(man);
     const Pose pose = reference_pose(man);
     long tried = 0;
-    for (const Skinning skinning : all_skinnings) {
+    for (const Skinning skinning : gen::all_skinnings) {
       MotionBound bound(man, sets, skinning);
       const Box<double> before = bound.box(pose, {});
       for (const std::size_t count : {std::size_t(0), std::size_t(1), pose.size() - 1, pose.size() + 1, 2 * pose.size()}) {

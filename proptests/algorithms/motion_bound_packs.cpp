@@ -85,8 +85,6 @@ std::vector<int> all_nodes(const Character& c) {
   return out;
 }
 
-constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion, Skinning::hejl};
-
 void boxes_of_nodes_hold_their_vertices(Suite& t) {
   t.holds("the boxes of nodes hold their vertices on every target, however joints are turned",
           {.number_type = "float", .cases = 300, .degenerate_at_least = 0.3}, [] {
@@ -215,7 +213,7 @@ void turning_joints_and_clusters_of_bodies(Suite& t) {
             const ClusterTree tree(c, {.most_triangles = *rc::gen::element(1, 5, 30), .most_children = 20});
             std::mt19937 random(plan.seed);
             const double spread = *rc::gen::element(0.0, 0.1, 0.5, 3.0);
-            for (const Skinning skinning : all_skinnings) {
+            for (const Skinning skinning : gen::all_skinnings) {
               ClusterBody body(tree, skinning);
               for (int frame = 0; frame < 3; ++frame) {
                 const Pose pose = gen::random_pose(c.mesh, random, spread);

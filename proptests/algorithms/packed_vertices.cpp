@@ -7,6 +7,7 @@
 
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
+#include "proptests/gen/accepted.hpp"
 #include "proptests/gen/posed_model.hpp"
 #include "proptests/gen/wide_models.hpp"
 #include "proptests/harness/harness.hpp"
@@ -15,8 +16,6 @@ namespace proptests::suite_packed_vertices {
 namespace {
 
 using namespace refitlab;
-
-constexpr Skinning kinds[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
 // Says whether two images are identical. A blend of quaternions that vanishes has no image, and then both must say so.
 bool are_identical(const Point3& a, const Point3& b) {
@@ -69,7 +68,7 @@ PROPTEST(packed_vertices) {
               const auto vertices = packed.vertices(g);
               RC_ASSERT(std::set<int>(vertices.begin(), vertices.end()) == std::set<int>(groups[g].begin(), groups[g].end()));
             }
-            const Skinning skinning = *rc::gen::elementOf(std::vector<Skinning>(std::begin(kinds), std::end(kinds)));
+            const Skinning skinning = gen::drawn_skinning();
             const auto palette = make_skinning_palette(posed.mesh, sets, posed.pose, skinning);
             RC_ASSERT(is_as_skin(packed, posed.mesh, sets, palette, skinning));
           });
@@ -80,7 +79,7 @@ PROPTEST(packed_vertices) {
         const gen::WideModel wide = gen::wide_model(random);
         const JointSets sets(wide.mesh);
         const PackedVertices packed(wide.mesh, sets);
-        for (const Skinning skinning : kinds)
+        for (const Skinning skinning : gen::all_skinnings)
           RC_ASSERT(is_as_skin(packed, wide.mesh, sets, make_skinning_palette(wide.mesh, sets, wide.pose, skinning), skinning));
       });
   t.example("the built-in man and creature are, as a whole, in mid-clip", {.number_type = "double pack"}, [] {
@@ -88,7 +87,7 @@ PROPTEST(packed_vertices) {
     for (const Model& model : {make_man(), make_creature()}) {
       const JointSets sets(model);
       const PackedVertices packed(model, sets);
-      for (const Skinning skinning : kinds) {
+      for (const Skinning skinning : gen::all_skinnings) {
         const auto& clip = model.clips[0];
         const auto palette = make_skinning_palette(model, sets, clip.sample(0.4 * clip.duration), skinning);
         if (!is_as_skin(packed, model, sets, palette, skinning)) return Checked(false, checked, model.name);

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "experiments/procedural/procedural.hpp"
+#include "proptests/gen/accepted.hpp"
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -34,8 +35,6 @@ bool are_equal(const SkinningPalette<double>& a, const SkinningPalette<double>& 
   }
   return true;
 }
-
-constexpr Skinning all_skinnings[] = {Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion};
 
 // Returns a palette that holds nothing yet, joints of another mesh, or affine ones of this mesh, all of which are measured.
 SkinningPalette<double> used_palette(const SkinnedMesh& mesh, const JointSets& sets, std::mt19937& random) {
@@ -78,7 +77,7 @@ PROPTEST(palette_packs) {
         std::mt19937 random(plan.seed);
         const double spread = *rc::gen::element(0.0, 1e-5, 1e-3, 0.5, 3.0);
         RC_CLASSIFY(spread < 0.1 || gen::is_degenerate(plan), "degenerate");
-        for (const Skinning skinning : all_skinnings) {
+        for (const Skinning skinning : gen::all_skinnings) {
           const PalettePacks packs(model, sets, skinning);
           SkinningPalette<double> palette = used_palette(model, sets, random);
           for (const Target target : available_targets()) {
@@ -95,7 +94,7 @@ PROPTEST(palette_packs) {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             const gen::WideModel wide = gen::wide_model(random);
             const JointSets sets(wide.mesh);
-            for (const Skinning skinning : all_skinnings) {
+            for (const Skinning skinning : gen::all_skinnings) {
               const PalettePacks packs(wide.mesh, sets, skinning);
               const auto expected = make_skinning_palette(wide.mesh, sets, wide.pose, skinning);
               SkinningPalette<double> palette;

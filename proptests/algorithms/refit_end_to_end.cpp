@@ -15,6 +15,7 @@
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/animated_character.hpp"
 #include "experiments/scenes/real_models.hpp"
+#include "proptests/gen/accepted.hpp"
 #include "proptests/gen/wide_character.hpp"
 #include "proptests/harness/harness.hpp"
 
@@ -116,7 +117,7 @@ void check_wide() {
   SkinnedMesh model = gen::wide_model(plan);
   const Pose pose = gen::wide_pose(plan, model);
   const auto c = bake(std::move(model), {.triangles_per_leaf = *rc::gen::element(1, 2, 5, 1 << 30)});
-  const Skinning skinning = *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
+  const Skinning skinning = gen::drawn_skinning();
   const auto palette = make_skinning_palette(c.mesh, c.sets, pose, skinning);
   const auto skinned = skin(c.mesh, c.sets, palette, skinning);
   ExactSkin exact(c.mesh, c.sets, palette, skinning);

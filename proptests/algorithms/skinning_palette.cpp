@@ -9,6 +9,7 @@
 #include "algorithms/runtime/skinning/blend.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "lemmas/exact/lift.hpp"
+#include "proptests/gen/accepted.hpp"
 #include "proptests/gen/posed_model.hpp"
 #include "proptests/gen/weights.hpp"
 #include "proptests/harness/harness.hpp"
@@ -182,9 +183,7 @@ void vertices_and_data_of_joint_sets(Suite& t) {
       {.number_type = "double", .cases = 300}, [] {
         const PosedModel posed = *gen::posed_model();
         const JointSets sets(posed.mesh);
-        const auto palette = make_skinning_palette(
-            posed.mesh, sets, posed.pose,
-            *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion));
+        const auto palette = make_skinning_palette(posed.mesh, sets, posed.pose, gen::drawn_skinning());
         RC_ASSERT(palette.size() == static_cast<std::size_t>(sets.count()));
         for (int s = 0; s < sets.count(); ++s) {
           RC_ASSERT(palette[s].transforms.size() == sets.joints(s).size());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proptests/gen/accepted.hpp"
 
+#include <rapidcheck.h>
+
 #include "algorithms/runtime/mesh/quantize.hpp"
 #include "proptests/gen/random_pose.hpp"
 
@@ -57,9 +59,10 @@ RigidTransform<double> accepted_placement(std::mt19937& random, double far) {
   return {rotation, Point3(normal(random), normal(random), normal(random)) * far};
 }
 
-Skinning random_skinning(std::mt19937& random) {
-  return one_of({Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion}, random);
+Skinning drawn_skinning() {
+  return *rc::gen::element(Skinning::linear, Skinning::spherical, Skinning::hejl, Skinning::dual_quaternion);
 }
+Skinning random_skinning(std::mt19937& random) { return one_of(all_skinnings, random); }
 
 Attained attained(std::mt19937& random, const AttainedOptions& options) {
   std::uniform_real_distribution<double> u(-1, 1);

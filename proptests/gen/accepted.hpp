@@ -19,6 +19,9 @@ refitlab::Pose with_lengths(refitlab::Pose pose, UnitLength length, std::mt19937
 // Draws a placement with any rotation, any accepted length of its quaternion, and a translation of about this length, or none.
 refitlab::RigidTransform<double> accepted_placement(std::mt19937& random, double far);
 
+inline constexpr refitlab::Skinning all_skinnings[] = {refitlab::Skinning::linear, refitlab::Skinning::spherical,
+                                                       refitlab::Skinning::hejl, refitlab::Skinning::dual_quaternion};
+refitlab::Skinning drawn_skinning();  // within a property
 refitlab::Skinning random_skinning(std::mt19937& random);
 
 // Holds a corner on each side of a center along each axis, all equally far from it, and joints that all turn alike about it. So
