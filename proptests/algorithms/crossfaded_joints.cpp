@@ -44,6 +44,7 @@ struct Fade {
     const auto plan = smooth ? gen::draw_smooth_plan(is_rigid) : gen::draw_animated_plan(is_rigid);
     const auto blend = *rc::gen::element(RotationBlend::slerp, RotationBlend::nlerp);
     RC_LOG() << plan << " skinning " << static_cast<int>(skinning) << (blend == RotationBlend::slerp ? " slerp" : " nlerp");
+    RC_CLASSIFY(gen::is_degenerate(plan), "degenerate");
     return {plan, skinning, blend};
   }
   CrossfadedJoints joints() const {
@@ -189,7 +190,6 @@ void crossfades_are_bounded_and_hardly_more(Suite& t) {
            .tags_at_least = {{"bounded", 0.6}}},
           [] {
             const Fade fade = Fade::draw(*rc::gen::inRange(0, 3) > 0);
-            RC_CLASSIFY(gen::is_degenerate(fade.plan), "degenerate");
             const JointSets sets(fade.model);
             oracle::AnimatedSkin<M> skin(fade.model, fade.first, fade.skinning);
             std::mt19937 random(fade.plan.seed + 10);
@@ -522,7 +522,6 @@ void what_each_clip_moves(Suite& t) {
 // Checks that, while one clip fades to the other, each morph weight moves at most as fast as the cell says.
 void check_speeds_of_weights() {
   const Fade fade = Fade::draw(*rc::gen::inRange(0, 3) == 0);
-  RC_CLASSIFY(gen::is_degenerate(fade.plan), "degenerate");
   const JointSets sets(fade.model);
   std::mt19937 random(fade.plan.seed + 9);
   long opposite = 0;
@@ -640,7 +639,6 @@ bool goes_as_far(const FadingClip& clip, const FadingClip::Motions& motions, con
 
 void check_motions_of_several_parts() {
   const Fade fade = Fade::draw(*rc::gen::inRange(0, 4) == 0);
-  RC_CLASSIFY(gen::is_degenerate(fade.plan), "degenerate");
   std::mt19937 random(fade.plan.seed + 11);
   bool has_several = false, is_rounded_more = false;
   try {
@@ -676,7 +674,6 @@ std::set<ParameterMoment> corners_at(const JointCell& cell, std::size_t paramete
 
 void check_cells_of_exchanged_clips_and_of_halves() {
   const Fade fade = Fade::draw(*rc::gen::inRange(0, 4) == 0);
-  RC_CLASSIFY(gen::is_degenerate(fade.plan), "degenerate");
   const JointSets sets(fade.model);
   std::mt19937 random(fade.plan.seed + 12);
   bool is_halved = false;
@@ -739,7 +736,6 @@ PROPTEST(crossfaded_joints) {
            .tags_at_least = {{"bounded", 0.7}, {"of several parts", 0.05}, {"by a sign", 0.02}, {"by its linear blend", 0.05}}},
           [] {
             const Fade fade = Fade::draw(*rc::gen::inRange(0, 3) == 0);
-            RC_CLASSIFY(gen::is_degenerate(fade.plan), "degenerate");
             const JointSets sets(fade.model);
             oracle::AnimatedSkin<M> skin(fade.model, fade.first, fade.skinning), linear(fade.model, fade.first, Skinning::linear);
             std::mt19937 random(fade.plan.seed + 9);
