@@ -59,13 +59,6 @@ Matrix4<S> matrix_of(const Eigen::Matrix4d& m) {
   return out;
 }
 
-template <class S>
-refitlab::Vec<S, 3> times(const Matrix4<S>& m, const refitlab::Vec<S, 3>& x) {
-  refitlab::Vec<S, 3> out;
-  for (int i = 0; i < 3; ++i) out[i] = m[i][0] * x[0] + m[i][1] * x[1] + m[i][2] * x[2] + m[i][3];
-  return out;
-}
-
 // Returns the quaternion of the rotation in a matrix that is a rotation but for a factor, which may be negative, and a little
 // noise, by Newton's iteration for the polar decomposition and Shepperd's formulas.
 template <class S>

@@ -25,8 +25,9 @@ Affine<S> affine_of(const refitlab::Quaternion<S>& q, const refitlab::Vec<S, 3>&
            {two * (x * z - w * y) / n, two * (y * z + w * x) / n, (w * w - x * x - y * y + z * z) / n, t[2]}}};
 }
 
-template <class S>
-refitlab::Vec<S, 3> times(const Affine<S>& m, const refitlab::Vec<S, 3>& x) {
+// Returns the image of a point, by the first three rows of a matrix.
+template <class S, std::size_t rows>
+refitlab::Vec<S, 3> times(const std::array<std::array<S, 4>, rows>& m, const refitlab::Vec<S, 3>& x) {
   refitlab::Vec<S, 3> out;
   for (int i = 0; i < 3; ++i) out[i] = m[i][0] * x[0] + m[i][1] * x[1] + m[i][2] * x[2] + m[i][3];
   return out;
