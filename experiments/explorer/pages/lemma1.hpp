@@ -10,11 +10,9 @@ namespace refitlab::explorer {
 inline Page lemma1_page() {
   return {"lemma1",
           "Lemma 1: two definitions of a cap",
-          "A half-space (x, d) ≥ D cuts a cap from the sphere; an apex and an angle describe the same cap. Push the "
-          "plane until the "
-          "half-space holds the whole sphere: no angle has the cosine that the printed lemma asks for. Or let the "
-          "scalar be negative: "
-          "the printed “any non-zero scalar” turns the cap round.",
+          "A half-space (x, d) ≥ D cuts a cap from the sphere; an apex and an angle describe the same cap. Push the plane until "
+          "the half-space holds the whole sphere: no angle has the cosine that the printed lemma asks for. Or let the scalar be "
+          "negative: the printed “any non-zero scalar” turns the cap round.",
           {{"offset D", -20, 20, 5, tenths_text},
            {"length of d", 1, 20, 10, tenths_text},
            {"sign of the scalar", 0, 1, 1, [](int k) { return std::string(k ? "positive" : "negative"); }},

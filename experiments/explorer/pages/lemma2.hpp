@@ -10,11 +10,9 @@ namespace refitlab::explorer {
 inline Page lemma2_page() {
   return {"lemma2",
           "Lemma 2: normalising keeps the rotations of a hull",
-          "Three quaternions of different lengths, and the same on the sphere. A blend a of the first has a partner b "
-          "on the same ray "
-          "in the hull of the second: the same rotation. Unless the hull holds 0, which is no rotation at all, as the "
-          "printed lemma "
-          "forgets.",
+          "Three quaternions of different lengths, and the same on the sphere. A blend a of the first has a partner b on the "
+          "same ray in the hull of the second: the same rotation. Unless the hull holds 0, which is no rotation at all, as the "
+          "printed lemma forgets.",
           {{"angle between them", 1, half_turn, 10, circle_text},
            {"length of the second", 2, 20, 15, tenths_text},
            {"weight 1", 0, 10, 3, plain_text},

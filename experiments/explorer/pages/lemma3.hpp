@@ -11,11 +11,9 @@ namespace refitlab::explorer {
 inline Page lemma3_page() {
   return {"lemma3",
           "Lemma 3: a ball cuts a cap from the sphere",
-          "The ball B cuts the unit sphere; the plane through the cut bounds a half-space with the same points of the "
-          "sphere in it, and "
-          "its distance d_H from 0 is known. Pull the ball away or shrink it inside: nothing is cut, and nothing is no "
-          "cap. With the "
-          "centers in one point there is no plane.",
+          "The ball B cuts the unit sphere; the plane through the cut bounds a half-space with the same points of the sphere in "
+          "it, and its distance d_H from 0 is known. Pull the ball away or shrink it inside: nothing is cut, and nothing is no "
+          "cap. With the centers in one point there is no plane.",
           {{"distance of the centers", 0, 30, 8, tenths_text},
            {"radius of the ball", 0, 20, 7, tenths_text},
            {"point x, from the axis", 0, half_turn, 3, circle_text}},

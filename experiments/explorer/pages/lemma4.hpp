@@ -13,11 +13,9 @@ namespace refitlab::explorer {
 inline Page lemma4_page() {
   return {"lemma4",
           "Lemma 4: a ball bounds the blends of quaternions",
-          "The mean ball E around unit quaternions cuts a cap from the sphere. Every blend b, brought back to the "
-          "sphere, lies in it. "
-          "The printed condition r < 1 is more than is needed: three equal quaternions and one turned away have r = "
-          "6/5 and a good cap. "
-          "Too wide a ball, however, bounds nothing.",
+          "The mean ball E around unit quaternions cuts a cap from the sphere. Every blend b, brought back to the sphere, lies "
+          "in it. The printed condition r < 1 is more than is needed: three equal quaternions and one turned away have r = 6/5 "
+          "and a good cap. Too wide a ball, however, bounds nothing.",
           {{"first turned by", 0, half_turn, 12, circle_text},
            {"second turned by", 0, half_turn, 10, circle_text},
            {"copies of 1", 1, 3, 1, plain_text},

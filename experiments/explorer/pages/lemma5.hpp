@@ -10,9 +10,8 @@ namespace refitlab::explorer {
 inline Page lemma5_page() {
   return {"lemma5",
           "Lemma 5: the smallest ball around a cap",
-          "The printed ball sits over the rim of the cap. Open the angle beyond 90°: its center slides behind the "
-          "middle of the sphere "
-          "and it lets go of the apex. The repaired ball stops there and keeps the whole cap. This is what breaks "
+          "The printed ball sits over the rim of the cap. Open the angle beyond 90°: its center slides behind the middle of the "
+          "sphere and it lets go of the apex. The repaired ball stops there and keeps the whole cap. This is what breaks "
           "Algorithm 1.",
           {{"angle α", 0, half_turn, 8, circle_text}, {"point x, from the apex (0) to the rim (10)", 0, 10, 10, plain_text}},
           {{"a narrow cap", {6, 10}},

@@ -15,11 +15,9 @@ namespace refitlab::explorer {
 inline Page whole_sphere_page() {
   return {"whole_sphere",
           "Section 4.3: when only the whole sphere will do",
-          "Left, quaternions (the slice w, x, y of S₃): their mean ball E cuts a cap. Right, the space of the model: "
-          "the cap of all "
-          "rotations of a vector v, at twice the angle, and the ball around it. With a wide E the printed line 15 "
-          "makes a ball of "
-          "negative radius or one that misses the rotated v; the repaired step takes the whole sphere.",
+          "Left, quaternions (the slice w, x, y of S₃): their mean ball E cuts a cap. Right, the space of the model: the cap of "
+          "all rotations of a vector v, at twice the angle, and the ball around it. With a wide E the printed line 15 makes a "
+          "ball of negative radius or one that misses the rotated v; the repaired step takes the whole sphere.",
           {{"turn of the last quaternion", 0, half_turn, 8, circle_text},
            {"copies of 1", 1, 3, 1, plain_text},
            {"blend", 0, 10, 5, [](int k) { return std::to_string(10 * k) + " %"; }}},
