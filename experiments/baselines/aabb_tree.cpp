@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Skins everything and refits a tree of axis-aligned boxes bottom-up [van den Bergen 1997]. The tree is binary, with one triangle
 // in each leaf.
+#include <algorithm>
+#include <numeric>
+#include <span>
+
 #include "algorithms/runtime/balls/box.hpp"
 #include "experiments/baselines/baselines.hpp"
-#include "experiments/baselines/median_split.hpp"
 #include "experiments/baselines/skinning_detector.hpp"
 
 namespace refitlab {
@@ -15,9 +18,15 @@ struct Node {
   int triangle;  // of a leaf
 };
 
+// Builds the tree by median splits of the triangles.
 class Builder {
  public:
-  explicit Builder(const SkinnedMesh& model) : split_(model) { build(split_.triangles()); }
+  explicit Builder(const SkinnedMesh& model) : order_(model.triangles.size()) {
+    for (const Triangle& t : model.triangles)
+      centroids_.push_back((model.vertices[t[0]] + model.vertices[t[1]] + model.vertices[t[2]]) / 3);
+    std::iota(order_.begin(), order_.end(), 0);
+    build(order_);
+  }
   std::vector<Node> nodes;
 
  private:
@@ -25,13 +34,24 @@ class Builder {
     const std::size_t at = nodes.size(), half = triangles.size() / 2;
     nodes.push_back({0, triangles[0]});
     if (triangles.size() == 1) return;
-    split_.split(triangles, half);
+    split(triangles, half);
     build(triangles.first(half));
     nodes[at].right = static_cast<int>(nodes.size());
     build(triangles.subspan(half));
   }
 
-  MedianSplit split_;
+  // Moves so many triangles to the front. They have the least centroids along the longest extent of all, in the reference pose.
+  void split(std::span<int> triangles, std::size_t count) {
+    Point3 low = centroids_[triangles[0]], high = low;
+    for (const int t : triangles) low = low.cwiseMin(centroids_[t]), high = high.cwiseMax(centroids_[t]);
+    int axis;
+    (high - low).maxCoeff(&axis);
+    std::nth_element(triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(count), triangles.end(),
+                     [&](int a, int b) { return centroids_[a][axis] < centroids_[b][axis]; });
+  }
+
+  std::vector<Point3> centroids_;
+  std::vector<int> order_;
 };
 
 // The boxes of both bodies are in the first one's model space.
