@@ -355,7 +355,7 @@ class AnimatedSkin {
       transforms.push_back({turn, {joint.matrix[0][3], joint.matrix[1][3], joint.matrix[2][3]}});
       weights.push_back(number<S>(influence.weight));
     }
-    if (transforms.size() == 1) return refitlab_apply(transforms[0], at);
+    if (transforms.size() == 1) return oracle::times<S>(affine_of<S>(transforms[0].rotation, transforms[0].translation), at);
     Quaternion<S> q(S(0), S(0), S(0), S(0)), d = q;
     for (std::size_t k = 0; k < transforms.size(); ++k) {
       const auto& t = transforms[k].translation;
@@ -406,10 +406,6 @@ class AnimatedSkin {
       joints_.push_back({product(node.matrix, matrix_of<S>(joint.offset)), {S(1), S(0), S(0), S(0)}});
       if (is_rigid()) joints_.back().turn = hamilton<S>(node.turn, offset_turns_[j]);
     }
-  }
-
-  static refitlab::Vec<S, 3> refitlab_apply(const refitlab::RigidTransform<S>& c, const refitlab::Vec<S, 3>& x) {
-    return oracle::times<S>(affine_of<S>(c.rotation, c.translation), x);
   }
 
   // Returns the least-squares center nearest to the mean of the joints' origins, by its normal equations, where the tolerances of
