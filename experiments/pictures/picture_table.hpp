@@ -35,7 +35,7 @@ struct PictureLabel {
 class PictureTable {
  public:
   // folder is for the PNG files. Pictures have this share of the width and height that they are drawn with otherwise.
-  explicit PictureTable(std::string folder, double size = 1) : folder_(std::move(folder)), size_(size) {}
+  PictureTable(std::string folder, double size) : folder_(std::move(folder)), size_(size) {}
   // Draws on white, which the page's style turns into its own ground, to a file of the folder, and adds the picture's rows.
   void draw(const render::Scene& scene, const render::Camera& camera, render::Options options, const PictureSubject& subject,
             const std::string& file, const std::vector<PictureNumber>& numbers = {},

@@ -15,18 +15,17 @@ struct Ray {
   Point3 origin, direction;
 };
 
-// A Camera is orthographic, and in model space, right-handed. In the picture plane x is right and y is up, seen along -z of the
-// camera's own frame.
+// A Camera is orthographic, and in model space, right-handed, whose y is up in the picture. In the picture plane x is right and y
+// is up, seen along -z of the camera's own frame.
 class Camera {
  public:
   // height is what the picture's height covers, in model units. Throws std::invalid_argument if there is no such camera (eye =
-  // target, up along the view, not finite).
-  static Camera orthographic(const Point3& eye, const Point3& target, double height, const Point3& up = {0, 1, 0});
+  // target, y along the view, not finite).
+  static Camera orthographic(const Point3& eye, const Point3& target, double height);
 
   // Returns a camera that sees all of the points, centred, with no more space around them than the margin, which is the empty
   // share at each side. from is the direction from the points to the eye, of any length. aspect is width / height of the picture.
-  static Camera frame(std::span<const Point3> points, const Point3& from, double aspect = 1, double margin = 0.04,
-                      const Point3& up = {0, 1, 0});
+  static Camera frame(std::span<const Point3> points, const Point3& from, double aspect, double margin);
 
   // Returns the ray through the point (x, y) of the picture, in units of its height. (0, 0) is its centre, and y = 1/2 its upper
   // edge.
@@ -42,7 +41,7 @@ class Camera {
   const Point3& back() const { return back_; }  // from the target to the eye
 
  private:
-  Camera(const Point3& eye, const Point3& back, const Point3& up, double height);
+  Camera(const Point3& eye, const Point3& back, double height);
   Point3 eye_, right_, up_, back_;
   double height_;
 };

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "algorithms/bake/parallel.hpp"
 #include "experiments/render/caster.hpp"
@@ -31,14 +30,13 @@ Eigen::Matrix<double, 3, 2> tangents(const Point3& n) {
   return plane;
 }
 
+constexpr int rays_each_way = 2, rays_of_pixel = rays_each_way * rays_each_way;
+
 // A Pattern is a fixed set of points spread evenly over the unit disc (a sunflower), dealt out to the rays of a pixel.
 class Pattern {
  public:
   // There are at least per_pixel points. Each ray gets as many as any other, and one or more.
-  Pattern(int per_pixel, const Options& options)
-      : rays_(options.supersampling * options.supersampling),
-        per_ray_((per_pixel + rays_ - 1) / rays_),
-        points_(rays_ * per_ray_) {
+  explicit Pattern(int per_pixel) : per_ray_((per_pixel + rays_of_pixel - 1) / rays_of_pixel), points_(rays_of_pixel * per_ray_) {
     for (std::size_t k = 0; k < points_.size(); ++k) {
       const double side = std::sqrt((k + 0.5) / points_.size());
       points_[k] = {side * std::cos(golden_angle * k), side * std::sin(golden_angle * k)};
@@ -49,14 +47,14 @@ class Pattern {
   double share(int ray, const Vec<double, 2>& turn, const Open& open) const {
     int count = 0;
     for (int i = 0; i < per_ray_; ++i) {
-      const auto& p = points_[i * rays_ + ray];
+      const auto& p = points_[i * rays_of_pixel + ray];
       count += open({p.x() * turn.x() - p.y() * turn.y(), p.x() * turn.y() + p.y() * turn.x()});
     }
     return double(count) / per_ray_;
   }
 
  private:
-  int rays_, per_ray_;
+  int per_ray_;
   std::vector<Vec<double, 2>> points_;
 };
 
@@ -66,8 +64,8 @@ class Shader {
       : caster_(caster),
         camera_(camera),
         options_(options),
-        sky_pattern_(36, options),
-        key_pattern_(9, options) {
+        sky_pattern_(36),
+        key_pattern_(9) {
     const auto towards = [&](double right, double up, double back) -> Point3 {
       return (right * camera.right() + up * camera.up() + back * camera.back()).normalized();
     };
@@ -94,7 +92,7 @@ class Shader {
       const double opacity = face_on / (face_on + (1 - face_on) * facing);
       const double pixels_per_unit = options_.height / camera_.height();
       const double outline = std::clamp(options_.outline - s.inside_silhouette * pixels_per_unit + 0.5, 0.0, 1.0);
-      if (options_.outline > 0 && !s.from_inside) put_under(0.35 * s.color, outline * std::max(0.75, s.opacity));
+      if (!s.from_inside) put_under(0.35 * s.color, outline * std::max(0.75, s.opacity));
       put_under(light(s, ray, 1, 1), opacity);
     }
     if (solid) put_under(light(*solid, ray, sky_share(*solid, number, turn), key_share(*solid, number, turn)), 1);
@@ -146,12 +144,10 @@ class Shader {
 
 Image draw(const Scene& scene, const Camera& camera, const Options& options) {
   scene.validate();
-  if (options.supersampling < 1 || options.supersampling > 8)
-    throw std::invalid_argument("picture: supersampling must be in [1, 8]");
   Image image(options.width, options.height);
   const Caster caster(scene);
   const Shader shader(caster, camera, options);
-  const int n = options.supersampling;
+  constexpr int n = rays_each_way;
   parallel_for(options.height, [&](std::size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < options.width; ++x) {
@@ -159,14 +155,14 @@ Image draw(const Scene& scene, const Camera& camera, const Options& options) {
       const double angle = 2 * std::numbers::pi * std::fmod(52.9829189 * std::fmod(0.06711056 * x + 0.00583715 * y, 1.0), 1.0);
       const Vec<double, 2> turn(std::cos(angle), std::sin(angle));
       Eigen::Array4d sum = Eigen::Array4d::Zero();
-      for (int i = 0; i < n * n; ++i) {
+      for (int i = 0; i < rays_of_pixel; ++i) {
         // The grid is sheared, so that near-horizontal and near-vertical edges meet n * n different offsets, not n.
         const double across = (i % n + 0.5) / n, down = (i / n + 0.5) / n;
         const double px = x + across + (down - 0.5) / n, py = y + down - (across - 0.5) / n;
         const Ray ray = camera.ray((px - options.width / 2.0) / options.height, 0.5 - py / options.height);
         sum += shader.trace(ray, i, turn);
       }
-      sum /= n * n;
+      sum /= rays_of_pixel;
       sum += (1 - sum[3]) * Eigen::Array4d::Ones();  // the background
       std::uint8_t* pixel = image.pixel(x, y);
       for (int c = 0; c < 3; ++c) pixel[c] = std::lround(255 * std::min(1.0, sum[c]));

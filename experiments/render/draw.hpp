@@ -9,16 +9,15 @@
 namespace refitlab::render {
 
 struct Options {
-  int width = 900, height = 900;  // pixels
-  int supersampling = 2;          // rays per pixel in each direction, in [1, 8]
-  double outline = 1.5;           // of translucent balls, pixels; 0 for none
-  bool occlusion = true;          // ambient occlusion and the shadow of the key light
+  int width, height;      // pixels
+  double outline = 1.5;   // of translucent balls, pixels
+  bool occlusion = true;  // ambient occlusion and the shadow of the key light
 };
 
 // Casts rays by Embree 3. There is a soft key light from the upper left of the camera, a fill light from its right, and ambient
 // light dimmed by occlusion. Translucent surfaces are composited in order of depth. The image is deterministic, because all
-// sampling patterns are fixed. Throws std::invalid_argument for a scene that Scene::validate refuses and for invalid options, and
-// std::runtime_error if Embree fails.
-Image draw(const Scene& scene, const Camera& camera, const Options& options = {});
+// sampling patterns are fixed. Throws std::invalid_argument for a scene that Scene::validate refuses and for a size that Image
+// refuses, and std::runtime_error if Embree fails.
+Image draw(const Scene& scene, const Camera& camera, const Options& options);
 
 }  // namespace refitlab::render
