@@ -74,11 +74,11 @@ Eigen::VectorXd weights_at(const MorphedMesh& mesh, const WeightTrack* track, do
   return Eigen::Map<const Eigen::VectorXd>(mesh.weights.data(), static_cast<Eigen::Index>(mesh.weights.size()));
 }
 
-std::vector<double> morph_weights(const Model& model, const Animation& animation, double time, Side side) {
+std::vector<double> morph_weights(const Model& model, const Animation& animation, double time) {
   const DefaultFloatEnvironment environment;
   std::vector<double> out;
   for (const MorphedMesh& mesh : model.morphs) {
-    const Eigen::VectorXd weights = weights_at(mesh, weight_track_of(mesh, animation), time, side);
+    const Eigen::VectorXd weights = weights_at(mesh, weight_track_of(mesh, animation), time);
     out.insert(out.end(), weights.begin(), weights.end());
   }
   return out;

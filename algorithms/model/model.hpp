@@ -98,6 +98,6 @@ const WeightTrack* weight_track_of(const MorphedMesh& mesh, const Animation& ani
 Eigen::VectorXd weights_at(const MorphedMesh& mesh, const WeightTrack* track, double time, Side side = Side::after);
 
 // Returns the weights of these targets, in their order, at a time of an animation of the model.
-std::vector<double> morph_weights(const Model& model, const Animation& animation, double time, Side side = Side::after);
+std::vector<double> morph_weights(const Model& model, const Animation& animation, double time);
 
 }  // namespace refitlab

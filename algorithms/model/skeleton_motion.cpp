@@ -104,10 +104,10 @@ std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const 
   return skin_matrices(skeleton, local_transforms(skeleton.nodes, motion, time, side));
 }
 
-AffinePose affine_pose(const BoundSkeleton& skeleton, const Animation& motion, double time, Side side) {
+AffinePose affine_pose(const BoundSkeleton& skeleton, const Animation& motion, double time) {
   const DefaultFloatEnvironment environment;
   AffinePose out;
-  for (const Eigen::Matrix4d& m : skin_matrices(skeleton, motion, time, side))
+  for (const Eigen::Matrix4d& m : skin_matrices(skeleton, motion, time))
     out.push_back({{m.block<3, 1>(0, 0), m.block<3, 1>(0, 1), m.block<3, 1>(0, 2)}, m.topRightCorner<3, 1>()});
   return out;
 }

@@ -122,7 +122,7 @@ std::vector<Eigen::Matrix4d> skin_matrices(const BoundSkeleton& skeleton, const 
                                            Side side = Side::after);
 
 // Returns the same as a pose for a palette.
-AffinePose affine_pose(const BoundSkeleton& skeleton, const Animation& animation, double time, Side side = Side::after);
+AffinePose affine_pose(const BoundSkeleton& skeleton, const Animation& animation, double time);
 
 // Returns the weights by target.
 Eigen::VectorXd weights_at(const WeightTrack& track, double time, Side side = Side::after);
