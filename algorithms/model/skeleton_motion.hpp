@@ -109,7 +109,7 @@ Eigen::Matrix4d matrix_of(const NodeTransform& transform);
 std::optional<NodeTransform> parts_of(const SceneNode& node);
 
 // Returns the transform of a track's node at a time.
-NodeTransform transform_at(const NodeTrack& track, double time, Side side = Side::after);
+NodeTransform transform_at(const NodeTrack& track, double time, Side side);
 
 // These return the global transforms by node, from those against the parents, or at a time.
 std::vector<Eigen::Matrix4d> global_transforms(const std::vector<SceneNode>& nodes, std::vector<Eigen::Matrix4d> locals);

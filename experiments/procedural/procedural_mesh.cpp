@@ -41,7 +41,7 @@ SkinMesh from_cgal(const Mesh& mesh) {  // of a mesh without removed elements
 Point3 twice_area_normal(const Point3& a, const Point3& b, const Point3& c) { return cross(Point3(b - a), Point3(c - a)); }
 
 // Returns whether the triangles around v, except those that also contain `except`, keep facing their way when v moves to p.
-bool folds_nothing(const Mesh& mesh, Mesh::Vertex_index v, const Point3& p, Mesh::Vertex_index except = {}) {
+bool folds_nothing(const Mesh& mesh, Mesh::Vertex_index v, const Point3& p, Mesh::Vertex_index except) {
   const Point3 old = place(mesh, v);
   for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
     const auto a = mesh.target(mesh.next(h)), b = mesh.source(h);

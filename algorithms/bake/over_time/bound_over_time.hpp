@@ -48,8 +48,8 @@ struct BoundOverTime {
 // Returns bounds that hold for all that any of these joints, at least one, can do. Throws std::invalid_argument for a tolerance
 // that is not positive and for directions out of range, and what MovingVertices::slack throws.
 BoundOverTime bound_over_time(std::span<const MovingJoints* const> joints, const MovingVertices& vertices,
-                              const OverTimeOptions& options = {});
-BoundOverTime bound_over_time(const MovingJoints& joints, const MovingVertices& vertices, const OverTimeOptions& options = {});
+                              const OverTimeOptions& options);
+BoundOverTime bound_over_time(const MovingJoints& joints, const MovingVertices& vertices, const OverTimeOptions& options);
 
 // Returns the box of slabs along x, y and z.
 Box<double> box_of(std::span<const Slab<double>> slabs);
