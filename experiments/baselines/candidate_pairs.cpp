@@ -10,10 +10,13 @@ namespace refitlab {
 CandidatePairs::CandidatePairs(const SkinnedMesh& mesh, VertexInWorld vertex)
     : mesh_(mesh),
       vertex_(std::move(vertex)),
-      sides_{{FrameStamps(mesh.triangles.size()), std::vector<Lanes<float>>(mesh.triangles.size())},
-             {FrameStamps(mesh.triangles.size()), std::vector<Lanes<float>>(mesh.triangles.size())}},
+      sides_{{FrameStamps(mesh.triangles.size()), std::vector<Lanes<float>>(mesh.triangles.size()), {}},
+             {FrameStamps(mesh.triangles.size()), std::vector<Lanes<float>>(mesh.triangles.size()), {}}},
       meet_(many + Lanes<float>::count),
-      unknown_(many + Lanes<float>::count) {}
+      unknown_(many + Lanes<float>::count) {
+  for (Side& s : sides_) s.candidates.reserve(many, 0);
+  for (int k = 0; k < many; ++k) lanes_.push_back(pair_of(k, k));
+}
 
 void CandidatePairs::begin(const Point3& origin) {
   origin_ = origin, largest_ = 0;
@@ -22,21 +25,31 @@ void CandidatePairs::begin(const Point3& origin) {
 
 void CandidatePairs::ask(Query query) {
   query_ = query;
-  first_.clear(), second_.clear(), found_.clear();
+  open_.clear(), doubles_.clear(), found_.clear();
 }
 
 void CandidatePairs::add(int first, int second) {
   if (is_done()) return;
   ++count_;
-  make(0, first), make(1, second);
-  first_.push_back(first), second_.push_back(second);
-  if (static_cast<int>(first_.size()) == (query_ == Query::yes_no ? few : many)) decide();
+  put(0, first), put(1, second);
+  open_.push_back({first, second});
+  if (static_cast<int>(open_.size()) < (query_ == Query::yes_no ? few : many)) return;
+  filter();
+  if (query_ == Query::yes_no) doubles_.decide(found_);
 }
 
 std::vector<TrianglePair> CandidatePairs::found() {
-  decide();
+  filter();
+  doubles_.decide(found_);
   if (query_ == Query::yes_no && found_.size() > 1) found_.resize(1);
   return std::move(found_);
+}
+
+// Puts a triangle into the lane of the next pair.
+void CandidatePairs::put(int side, int triangle) {
+  make(side, triangle);
+  for (int i = 0; i < 9; ++i)
+    sides_[side].candidates.vertices[i].data()->lane.data()[open_.size()] = sides_[side].vertices[triangle].lane[i];
 }
 
 void CandidatePairs::make(int side, int triangle) {
@@ -54,25 +67,22 @@ void CandidatePairs::make(int side, int triangle) {
 }
 
 // Rounding to float loses half of 2^-23 of a coordinate, and taking it from the origin in double less by far.
-void CandidatePairs::decide() {
+void CandidatePairs::filter() {
   const float slack = static_cast<float>(0x1p-23 * largest_ + least_float_slack);
-  const CandidateArrays a{nullptr, nullptr, {}, sides_[0].vertices.data()->lane.data()},
-      b{nullptr, nullptr, {}, sides_[1].vertices.data()->lane.data()};
   int meet_count = 0, unknown_count = 0;
-  kernels_.filter(a, b, first_.data(), second_.data(), static_cast<int>(first_.size()), slack, meet_.data(), meet_count,
-                  unknown_.data(), unknown_count);
-  for (int m = 0; m < meet_count; ++m) found_.push_back({first_[meet_[m]], second_[meet_[m]]});
+  kernels_.filter(sides_[0].candidates.arrays(), many, sides_[1].candidates.arrays(), many, lanes_.data(),
+                  static_cast<int>(open_.size()), slack, meet_.data(), meet_count, unknown_.data(), unknown_count);
+  for (int m = 0; m < meet_count; ++m) found_.push_back(open_[first_of(meet_[m])]);
   const auto points = [&](int side, int triangle) {
     const Triangle& t = mesh_.triangles[triangle];
     return std::array{vertex_(side, t[0]), vertex_(side, t[1]), vertex_(side, t[2])};
   };
   for (int m = 0; m < unknown_count; ++m) {
-    const int first = first_[unknown_[m]], second = second_[unknown_[m]];
-    doubles_.add(points(0, first), points(1, second), {first, second});
+    const TrianglePair& pair = open_[first_of(unknown_[m])];
+    doubles_.add(points(0, pair.first), points(1, pair.second), pair);
     if (doubles_.is_full()) doubles_.decide(found_);
   }
-  doubles_.decide(found_);
-  first_.clear(), second_.clear();
+  open_.clear();
 }
 
 }  // namespace refitlab

@@ -32,15 +32,17 @@ class CandidatePairs {
   long count() const { return count_; }
 
  private:
-  static constexpr int few = Lanes<float>::count, many = 1 << 12;
+  static constexpr int few = Lanes<float>::count, many = 2 * few;
 
   struct Side {
     FrameStamps is_made;                 // by triangle
-    std::vector<Lanes<float>> vertices;  // a record a triangle, as Candidates have
+    std::vector<Lanes<float>> vertices;  // a record a triangle: its vertices' coordinates
+    Candidates candidates;               // the triangles of the pairs that are open, a pair a lane
   };
 
+  void put(int side, int triangle);
   void make(int side, int triangle);
-  void decide();
+  void filter();
 
   const SkinnedMesh& mesh_;
   const VertexInWorld vertex_;
@@ -49,7 +51,8 @@ class CandidatePairs {
   Point3 origin_ = Point3::Zero();
   double largest_ = 0;  // of the coordinates in the records
   Query query_ = Query::full;
-  std::vector<std::int32_t> first_, second_, meet_, unknown_;
+  std::vector<TrianglePair> open_;
+  std::vector<CandidatePair> lanes_, meet_, unknown_;
   DoublePairs doubles_;
   std::vector<TrianglePair> found_;
   long count_ = 0;

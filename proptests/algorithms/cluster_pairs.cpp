@@ -10,7 +10,9 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/collide/triangles_meet.hpp"
+#include "algorithms/runtime/packs/look_up.hpp"
 #include "proptests/gen/accepted.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/wide_models.hpp"
@@ -72,17 +74,20 @@ void check_clusters_one_by_one(SkinnedClusters& a, SkinnedClusters& b, const std
 // Candidates are moved by this offset.
 constexpr float offset[] = {0.25f, -0.5f, 1};
 
-// Draws triangles of few vertices, and a box. Some coordinates are on a side of the box, and some are no numbers.
+// Draws triangles of few vertices, or of many, and a box. Some coordinates are on a side of the box, and some are no numbers.
 struct DrawnTriangles {
   DrawnTriangles() {
     std::mt19937 random(*rc::gen::arbitrary<unsigned>());
     std::uniform_real_distribution<float> u(-1, 1);
-    places = 16 * *rc::gen::inRange(1, 5), count = *rc::gen::inRange(1, 70);
-    blocks.resize(3 * places / 16);
+    const bool are_many = *gen::between(0, 5) == 0;
+    places = 16 * *gen::between(1, are_many ? 60 : 18), count = *gen::between(1, are_many ? 700 : 100);
+    blocks.resize(3 * places / 16 + 1);
     for (int i = 0; i < 3 * places; ++i)
       blocks.data()->lane.data()[i] = random() % 50 ? u(random) : random() % 2 ? 0.5f : std::numeric_limits<float>::quiet_NaN();
-    for (auto& list : vertex)
+    for (auto& list : vertex) {
       for (int t = 0; t < count; ++t) list.push_back(static_cast<std::uint16_t>(random() % places));
+      list.resize(short_look_up_size(count), 0xffff);  // which is no place
+    }
     for (int i = 0; i < 3; ++i) {
       const float a = u(random), b = random() % 4 ? u(random) : 0.5f;
       box.low[i] = std::min(a, b), box.high[i] = std::max(a, b);
@@ -119,7 +124,7 @@ bool are_numbers_in_place(const DrawnTriangles& drawn, int found, const Candidat
     for (int i = 0; i < 9; ++i) {
       const float x = drawn.moved(k, i / 3, i % 3);
       has_nan = has_nan || std::isnan(x);
-      RC_ASSERT(out.vertices[16 * k + i] == x || std::isnan(x));
+      RC_ASSERT(out.vertices[i][k] == x || std::isnan(x));
     }
   if (has_nan) return false;
   Box<float> around = Box<float>::empty();
@@ -147,7 +152,7 @@ int check_kept(const DrawnTriangles& drawn, const ClusterPairKernels& kernels, i
   RC_ASSERT(left == static_cast<int>(kept.size()));
   for (int k = 0; k < left; ++k) {
     RC_ASSERT(out.triangle[k] == drawn.expected[kept[k]]);
-    for (int i = 0; i < 9; ++i) RC_ASSERT(out.vertices[16 * k + i] == drawn.moved(kept[k], i / 3, i % 3));
+    for (int i = 0; i < 9; ++i) RC_ASSERT(out.vertices[i][k] == drawn.moved(kept[k], i / 3, i % 3));
     for (int i = 0; i < 3; ++i)
       RC_ASSERT(out.box[i][k] == drawn.side(kept[k], i).first && out.box[3 + i][k] == drawn.side(kept[k], i).second);
   }
@@ -157,12 +162,13 @@ int check_kept(const DrawnTriangles& drawn, const ClusterPairKernels& kernels, i
 // Checks all candidates against all of themselves, in one part or from the second block on.
 void check_meeting(const ClusterPairKernels& kernels, int left, const CandidateArrays& out) {
   const float margin = 0.05f;
-  std::vector<std::int32_t> first(left * left + 16), second(left * left + 16);
+  std::vector<CandidatePair> pairs(left * left + 16);
   for (const int begin : {0, 16}) {
     if (begin >= left && begin > 0) continue;
-    const int pairs = kernels.meeting(out, left, out, begin, left, margin, first.data(), second.data());
+    const int count = kernels.meeting(out, left, out, begin, left, margin, pairs.data());
     std::vector<std::pair<int, int>> got, want;
-    for (int p = 0; p < pairs; ++p) got.emplace_back(first[p], second[p]);
+    for (int p = 0; p < count; ++p) got.emplace_back(first_of(pairs[p]), second_of(pairs[p]));
+    for (int p = count; count > 0 && p < count + 4; ++p) RC_ASSERT(pairs[p] == pairs[count - 1]);
     for (int k = 0; k < left; ++k)
       for (int l = begin; l < left; ++l) {
         bool apart = false;
@@ -178,8 +184,7 @@ void check_meeting(const ClusterPairKernels& kernels, int left, const CandidateA
 void check_candidates(const DrawnTriangles& drawn, const ClusterPairKernels& kernels) {
   Candidates scratch;
   scratch.reserve(drawn.count, drawn.places);
-  CandidateArrays out{scratch.triangle.data(), scratch.outcodes.data(), {}, scratch.vertices.data()->lane.data()};
-  for (int i = 0; i < 6; ++i) out.box[i] = scratch.box[i].data()->lane.data();
+  const CandidateArrays out = scratch.arrays();
   const int found = kernels.cull(drawn.triangles(), drawn.xyz(), drawn.places, drawn.box, out);
   RC_ASSERT(std::vector<int>(out.triangle, out.triangle + found) == drawn.expected);
   if (found == 0) return;
@@ -349,12 +354,12 @@ PROPTEST(cluster_pairs) {
             constexpr int count = 40;
             Candidates room_a, room_b;
             room_a.reserve(count, 16), room_b.reserve(count, 16);
-            std::vector<std::int32_t> first(count), second(count), meet(count + 16), unknown(count + 16);
+            std::vector<CandidatePair> pairs, meet(count + 16), unknown(count + 16);
             std::vector<bool> truth;
             const auto put = [&](Candidates& c, int k, const TrianglePoints& t) {
               for (int i = 0; i < 9; ++i) {
                 const double x = t[i / 3][i % 3] + slack * 0.9 * u(random);
-                c.vertices[k].lane[i] = static_cast<float>(x);
+                c.arrays().vertices[i][k] = static_cast<float>(x);
               }
             };
             for (int k = 0; k < count; ++k) {
@@ -364,20 +369,18 @@ PROPTEST(cluster_pairs) {
               if (random() % 4 == 0) b[1] = a[1] * 0.5 + a[2] * 0.5 + drawn(slack);
               put(room_a, k, a), put(room_b, k, b);
               truth.push_back(oracle::triangles_meet(a, b));
-              first[k] = second[k] = k;
+              pairs.push_back(pair_of(k, k));
             }
-            const auto arrays = [](Candidates& c) {
-              return CandidateArrays{nullptr, nullptr, {}, c.vertices.data()->lane.data()};
-            };
+            pairs.resize(count + 16, pairs.back());
             // Rounding to float adds an error of 2^-24 of the size.
             const auto of_floats = static_cast<float>(slack + unit * 1.5 * 0x1p-24);
             for (const Target target : available_targets()) {
               int meets = 0, unknowns = 0;
-              cluster_pair_kernels(target).filter(arrays(room_a), arrays(room_b), first.data(), second.data(), count, of_floats,
+              cluster_pair_kernels(target).filter(room_a.arrays(), count, room_b.arrays(), count, pairs.data(), count, of_floats,
                                                   meet.data(), meets, unknown.data(), unknowns);
               std::vector<int> answer(count, 0);
-              for (int m = 0; m < meets; ++m) answer[meet[m]] += 1;
-              for (int m = 0; m < unknowns; ++m) answer[unknown[m]] += 2;
+              for (int m = 0; m < meets; ++m) answer[first_of(meet[m])] += 1;
+              for (int m = 0; m < unknowns; ++m) answer[second_of(unknown[m])] += 2;
               for (int k = 0; k < count; ++k) RC_ASSERT(answer[k] == 2 || answer[k] == (truth[k] ? 1 : 0));
               RC_TAG(unknowns == count ? "unknown" : "decided");
               if (unit == 1 && slack < 1e-6) RC_ASSERT(unknowns < count);

@@ -15,23 +15,18 @@ using namespace refitlab;
 // Says whether the boxes at 0 are listed, in order. The boxes marked true are at 0, and the others at 1.
 bool are_listed(const std::vector<bool>& at_zero, Target target) {
   const int count = static_cast<int>(at_zero.size());
-  std::vector<Lanes<float>> sides[6], vertices(count);
-  std::vector<int> triangle;
-  CandidateArrays arrays{nullptr, nullptr, {}, vertices.data()->lane.data()};
-  for (int i = 0; i < 6; ++i) {
-    sides[i].resize(blocks_for<float>(count));
-    arrays.box[i] = sides[i].data()->lane.data();
-    for (int k = 0; k < count; ++k) arrays.box[i][k] = at_zero[k] ? 0.f : 1.f;
-  }
+  Candidates candidates;
+  candidates.reserve(count, 0);
+  const CandidateArrays arrays = candidates.arrays();
   std::vector<int> expected;
   for (int k = 0; k < count; ++k) {
-    triangle.push_back(k);
+    for (float* side : arrays.box) side[k] = at_zero[k] ? 0.f : 1.f;
+    arrays.triangle[k] = k;
     if (at_zero[k]) expected.push_back(k);
   }
-  arrays.triangle = triangle.data();
   const Box<float> zero{{0, 0, 0}, {0, 0, 0}};
   const int found = cluster_pair_kernels(target).keep(count, zero, arrays);
-  return std::vector<int>(triangle.begin(), triangle.begin() + found) == expected;
+  return std::vector<int>(arrays.triangle, arrays.triangle + found) == expected;
 }
 
 }  // namespace

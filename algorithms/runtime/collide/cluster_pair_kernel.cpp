@@ -5,18 +5,23 @@
 #include <bit>
 
 #include "algorithms/runtime/collide/triangles_filter.hpp"
+#include "algorithms/runtime/packs/common_bit.hpp"
 #include "algorithms/runtime/packs/lane_bits.hpp"
-#include "algorithms/runtime/packs/transpose.hpp"
+#include "algorithms/runtime/packs/look_up.hpp"
 
 namespace refitlab::REFITLAB_TARGET {
 namespace {
 
 using S = Pack<float>;
 constexpr int width = static_cast<int>(S::size());
-constexpr int record = Lanes<float>::count;  // of a candidate's vertices
 static_assert(Lanes<float>::count % width == 0);
 
 S load(const float* numbers) { return S(numbers, std::experimental::vector_aligned); }
+void store(const S& numbers, float* out) { numbers.copy_to(out, std::experimental::vector_aligned); }
+
+void fill_pack(std::int32_t with, std::int32_t* out) {
+  for (int lane = 0; lane < width; ++lane) out[lane] = with;
+}
 
 // Returns the bits of the lanes in front of count.
 std::uint32_t first_lanes(int count) { return (1u << (count < width ? count : width)) - 1; }
@@ -49,34 +54,38 @@ void find_outcodes(const float* xyz, int place_count, const Box<float>& box, std
 REFITLAB_KERNEL int cull(const ClusterTriangles& triangles, const float* xyz, int place_count, const Box<float>& box,
                          const CandidateArrays& out) {
   find_outcodes(xyz, place_count, box, out.outcodes);
-  const std::uint8_t* const codes = out.outcodes;
   int found = 0;
-  for (int t = 0; t < triangles.count; ++t) {
-    out.triangle[found] = t;
-    found += (codes[triangles.vertex[0][t]] & codes[triangles.vertex[1][t]] & codes[triangles.vertex[2][t]]) == 0;
+  for (int t = 0; t < triangles.count; t += byte_lanes) {
+    const int lanes = std::min(byte_lanes, triangles.count - t);
+    const std::uint32_t near = have_no_common_bit(out.outcodes, place_count, triangles.vertex[0] + t, triangles.vertex[1] + t,
+                                                  triangles.vertex[2] + t, lanes);
+    for (int first = 0; first < lanes; first += width) {
+      const std::uint32_t bits = near >> first & first_lanes(lanes - first);
+      found += write_lanes(bits, t + first, out.triangle + found);
+    }
   }
+  if (found > 0) fill_pack(out.triangle[0], out.triangle + found);
   return found;
 }
 
 REFITLAB_KERNEL void place(const ClusterTriangles& triangles, const float* xyz, int place_count, const float* offset, int count,
                            const CandidateArrays& out, Box<float>& all) {
-  for (int k = 0; k < count; ++k) {
-    float* const vertices = out.vertices + record * k;
-    for (int c = 0; c < 3; ++c) {
-      const int at = triangles.vertex[c][out.triangle[k]];
-      for (int i = 0; i < 3; ++i) vertices[3 * c + i] = xyz[i * place_count + at] + offset[i];
-    }
-    for (int i = 0; i < 3; ++i) {
-      const float a = vertices[i], b = vertices[3 + i], c = vertices[6 + i];
-      out.box[i][k] = min_of(min_of(a, b), c), out.box[3 + i][k] = max_of(max_of(a, b), c);
-    }
-  }
   Box<S> whole = Box<S>::empty();
-  for (int end = (count + width - 1) / width * width, k = count; k < end; ++k)  // the last pack's other lanes repeat the first
-    for (int i = 0; i < 6; ++i) out.box[i][k] = out.box[i][0];
   for (int k = 0; k < count; k += width) {
-    const auto side = [&](int i) { return load(out.box[i] + k); };
-    whole.merge(Box<S>{{side(0), side(1), side(2)}, {side(3), side(4), side(5)}});
+    TriangleOf<S> vertices;
+    alignas(64) std::int32_t at[3][width];
+    for (int c = 0; c < 3; ++c) look_up(triangles.vertex[c], triangles.count, out.triangle + k, at[c]);
+    for (int i = 0; i < 3; ++i) {
+      const std::array<S, 3> found = look_up<false, 3>(xyz + i * place_count, place_count, {at[0], at[1], at[2]});
+      for (int c = 0; c < 3; ++c) store(vertices[c][i] = found[c] + S(offset[i]), out.vertices[3 * c + i] + k);
+    }
+    Box<S> box;
+    for (int i = 0; i < 3; ++i) {
+      const S &x = vertices[0][i], &y = vertices[1][i], &z = vertices[2][i];
+      store(box.low[i] = min_of(min_of(x, y), z), out.box[i] + k);
+      store(box.high[i] = max_of(max_of(x, y), z), out.box[3 + i] + k);
+    }
+    whole.merge(box);
   }
   for (int i = 0; i < 3; ++i)
     all.low[i] = std::experimental::hmin(whole.low[i]), all.high[i] = std::experimental::hmax(whole.high[i]);
@@ -99,24 +108,17 @@ REFITLAB_KERNEL int keep(int count, const Box<float>& box, const CandidateArrays
                                  candidates.box[3], candidates.box[4], candidates.box[5]};
   const Box<S> all = broadcast(box);
   int kept = 0;
-  for (int first = 0; first < count; first += width)
-    for (std::uint32_t lanes = meeting_lanes(sides, first, all) & first_lanes(count - first); lanes; lanes &= lanes - 1) {
-      const int from = first + std::countr_zero(lanes);
-      if (from != kept) {
-        candidates.triangle[kept] = candidates.triangle[from];
-        for (float* side : candidates.box) side[kept] = side[from];
-        Row<float, 8> vertices;
-        read_row(candidates.vertices + record * from, vertices);
-        write_row(vertices, candidates.vertices + record * kept);
-        candidates.vertices[record * kept + 8] = candidates.vertices[record * from + 8];
-      }
-      ++kept;
-    }
+  for (int first = 0; first < count; first += width) {
+    const std::uint32_t lanes = meeting_lanes(sides, first, all) & first_lanes(count - first);
+    for (float* side : candidates.box) keep_lanes(lanes, side + first, side + kept);
+    for (float* coordinate : candidates.vertices) keep_lanes(lanes, coordinate + first, coordinate + kept);
+    kept += keep_lanes(lanes, candidates.triangle + first, candidates.triangle + kept);
+  }
   return kept;
 }
 
 REFITLAB_KERNEL int meeting(const CandidateArrays& a, int count_a, const CandidateArrays& b, int begin, int end, float margin,
-                            std::int32_t* first, std::int32_t* second) {
+                            CandidatePair* pairs) {
   int found = 0;
   for (int block = begin; block < end; block += width) {
     Box<S> own;
@@ -125,44 +127,35 @@ REFITLAB_KERNEL int meeting(const CandidateArrays& a, int count_a, const Candida
     const std::uint32_t valid = first_lanes(end - block);
     for (int k = 0; k < count_a; ++k) {
       const Box<S> other{{S(a.box[0][k]), S(a.box[1][k]), S(a.box[2][k])}, {S(a.box[3][k]), S(a.box[4][k]), S(a.box[5][k])}};
-      for (int lane = 0; lane < width; ++lane) first[found + lane] = k;
-      found += write_lanes(lane_bits(!are_apart(own, other)) & valid, block, second + found);
+      found += write_lanes(lane_bits(!are_apart(own, other)) & valid, pair_of(k, block), pairs + found);
     }
   }
+  if (found > 0) fill_pack(pairs[found - 1], pairs + found);
   return found;
 }
 
-// Returns the vertices of one candidate in each lane. Lanes behind the last pair repeat it. They are read eight at a time,
-// however few lanes there are.
-TriangleOf<S> vertices_of(const CandidateArrays& candidates, const std::int32_t* which, int count) {
-  constexpr int read = std::max(width, 8);
-  alignas(64) float numbers[9][read];
-  const float* rows[8];
-  for (int block = 0; block < read; block += 8) {
-    for (int i = 0; i < 8; ++i) {
-      const int lane = block + i < count ? block + i : count - 1;
-      rows[i] = candidates.vertices + record * which[lane];
-      numbers[8][block + i] = rows[i][8];
-    }
-    transpose<float>(rows, numbers[0] + block, read);
-  }
+// Returns the vertices of one candidate in each lane.
+TriangleOf<S> vertices_of(const CandidateArrays& candidates, int count, const std::int32_t* which) {
   TriangleOf<S> out;
   for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < 3; ++i) out[c][i] = load(numbers[3 * c + i]);
+    for (int i = 0; i < 3; ++i) out[c][i] = look_up<false>(candidates.vertices[3 * c + i], count, which);
   return out;
 }
 
-REFITLAB_KERNEL void filter(const CandidateArrays& a, const CandidateArrays& b, const std::int32_t* first,
-                            const std::int32_t* second, int count, float slack, std::int32_t* meet, int& meet_count,
-                            std::int32_t* unknown, int& unknown_count) {
+REFITLAB_KERNEL void filter(const CandidateArrays& a, int count_a, const CandidateArrays& b, int count_b,
+                            const CandidatePair* pairs, int count, float slack, CandidatePair* meet, int& meet_count,
+                            CandidatePair* unknown, int& unknown_count) {
   const NearVertices<S> vertices{S(2 * slack)};
   for (int from = 0; from < count; from += width) {
-    const auto filtered = filter_lanes<S, NearVertices<S>>(vertices_of(a, first + from, count - from),
-                                                           vertices_of(b, second + from, count - from), vertices);
+    alignas(64) std::int32_t first[width], second[width];
+    for (int lane = 0; lane < width; ++lane)
+      first[lane] = first_of(pairs[from + lane]), second[lane] = second_of(pairs[from + lane]);
+    const auto filtered =
+        filter_lanes<S, NearVertices<S>>(vertices_of(a, count_a, first), vertices_of(b, count_b, second), vertices);
     const std::uint32_t valid = first_lanes(count - from), apart = lane_bits(filtered.are_apart);
     const std::uint32_t meeting = lane_bits(filtered.meet) & ~apart & valid, open = ~(meeting | apart) & valid;
-    meet_count += write_lanes(meeting, from, meet + meet_count);
-    unknown_count += write_lanes(open, from, unknown + unknown_count);
+    meet_count += keep_lanes(meeting, pairs + from, meet + meet_count);
+    unknown_count += keep_lanes(open, pairs + from, unknown + unknown_count);
   }
 }
 

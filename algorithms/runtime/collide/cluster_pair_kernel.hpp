@@ -16,54 +16,61 @@
 
 namespace refitlab {
 
-// The triangles of a cluster have their vertices by place in it.
+// The triangles of a cluster have their vertices by place in it. short_look_up_size(count) of vertex[i] can be read.
 struct ClusterTriangles {
   int count;
   const std::uint16_t* vertex[3];
 };
 
-// Candidates are the triangles of a cluster that are left. The arrays have room for all triangles of the cluster, and for one
+// CandidateArrays are the lists of Candidates as plain numbers, for kernels.
+struct CandidateArrays {
+  std::int32_t* triangle;
+  std::uint8_t* outcodes;
+  float* box[6];
+  float* vertices[9];
+};
+
+// Candidates are the triangles of a cluster that are left. The lists have room for all triangles of the cluster, and for one
 // block more.
 struct Candidates {
-  int count = 0;
-  std::vector<int> triangle;           // in the cluster
-  std::vector<std::uint8_t> outcodes;  // by place, while culling
-  std::vector<Lanes<float>> box[6];    // low x, y, z, high x, y, z
-  std::vector<Lanes<float>> vertices;  // a record a candidate: its vertices' coordinates, 9 numbers, and unused ones
+  std::vector<std::int32_t> triangle;     // in the cluster
+  std::vector<std::uint8_t> outcodes;     // by place, while culling
+  std::vector<Lanes<float>> box[6];       // low x, y, z, high x, y, z
+  std::vector<Lanes<float>> vertices[9];  // x, y, z of the first vertex, then of the second and third one
 
   // Makes room for so many triangles and places.
   void reserve(int triangles, int places);
+  CandidateArrays arrays();
 };
 
-// CandidateArrays has the same as plain numbers, for kernels.
-struct CandidateArrays {
-  int* triangle;
-  std::uint8_t* outcodes;
-  float* box[6];
-  float* vertices;  // 16 numbers each
-};
+// A CandidatePair has a place of each of two lists of candidates, of at most 2^15.
+using CandidatePair = std::int32_t;
+constexpr CandidatePair pair_of(int first, int second) { return (first << 16) + second; }
+constexpr int first_of(CandidatePair pair) { return pair >> 16; }
+constexpr int second_of(CandidatePair pair) { return pair & 0xffff; }
 
 struct ClusterPairKernels {
   // Calls find_meeting.
   int (*overlaps)(const BoxBlock<float>* blocks, int count, const Box<float>& box, int* out);
   // Lists the triangles whose vertices are not all beyond one side of box. xyz has the x of all places, then y, then z,
-  // place_count (whole blocks) each. Returns their number.
+  // place_count (whole blocks) each. Returns their number. The list's last block is filled up with the first one.
   int (*cull)(const ClusterTriangles& triangles, const float* xyz, int place_count, const Box<float>& box,
               const CandidateArrays& out);
-  // Fills the vertices, moved by offset, and the boxes of count candidates. all becomes the box around them.
+  // Fills the vertices, moved by offset, and the boxes of count candidates, listed as by cull. all becomes the box around them. One
+  // block behind xyz can be read.
   void (*place)(const ClusterTriangles& triangles, const float* xyz, int place_count, const float* offset, int count,
                 const CandidateArrays& out, Box<float>& all);
   // Keeps the candidates whose boxes are not apart from box. Returns their number.
   int (*keep)(int count, const Box<float>& box, const CandidateArrays& candidates);
   // Lists the pairs of candidates whose boxes are apart by no more than margin. The pairs are of all first ones and of the second
-  // ones in [begin, end), where begin is a multiple of 16. Returns their number. The lists have room for one block more than all
-  // pairs.
+  // ones in [begin, end), where begin is a multiple of 16. Returns their number. The list has room for one block more than all
+  // pairs, and such a block behind the pairs repeats the last one.
   int (*meeting)(const CandidateArrays& a, int count_a, const CandidateArrays& b, int begin, int end, float margin,
-                 std::int32_t* first, std::int32_t* second);
-  // Filters so many pairs whose vertices are off by at most slack. The indices of those that certainly meet are written to
-  // meet, and those of unknown ones to unknown; each has room for all, and for one block more.
-  void (*filter)(const CandidateArrays& a, const CandidateArrays& b, const std::int32_t* first, const std::int32_t* second,
-                 int count, float slack, std::int32_t* meet, int& meet_count, std::int32_t* unknown, int& unknown_count);
+                 CandidatePair* pairs);
+  // Filters so many pairs of candidates, listed as by meeting, whose vertices are off by at most slack. Those that certainly
+  // meet are written to meet, and unknown ones to unknown; each has room for all, and for one block more.
+  void (*filter)(const CandidateArrays& a, int count_a, const CandidateArrays& b, int count_b, const CandidatePair* pairs,
+                 int count, float slack, CandidatePair* meet, int& meet_count, CandidatePair* unknown, int& unknown_count);
 };
 
 namespace baseline {

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "algorithms/runtime/collide/triangles_meet.hpp"
+#include "algorithms/runtime/packs/common_bit.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/packs/look_up.hpp"
 
 namespace refitlab {
 namespace {
@@ -12,12 +14,6 @@ namespace {
 // Pairs of candidates are listed in parts of at most so many, or those of one block of the second ones. A yes/no query ends with
 // the first part in which a pair touches.
 constexpr int pairs_at_once = 1 << 14, pairs_at_once_of_yes_no = 1 << 8;
-
-CandidateArrays arrays_of(Candidates& c) {
-  CandidateArrays out{c.triangle.data(), c.outcodes.data(), {}, c.vertices.data()->lane.data()};
-  for (int i = 0; i < 6; ++i) out.box[i] = c.box[i].data()->lane.data();
-  return out;
-}
 
 TrianglePoints points_of(const PaddedVertex* vertices, const std::array<std::uint16_t, 3>& places) {
   const auto point = [&](int i) {
@@ -42,11 +38,18 @@ void reserve_at_least(std::vector<T>& list, std::size_t size) {
 }  // namespace
 
 void Candidates::reserve(int triangles, int places) {
-  const std::size_t blocks = blocks_for<float>(triangles);
-  reserve_at_least(triangle, triangles + 1);
-  reserve_at_least(outcodes, places);
+  reserve_at_least(triangle, triangles + Lanes<float>::count);
+  reserve_at_least(outcodes, byte_table_size(places));
+  const std::size_t blocks = look_up_size(triangles) / Lanes<float>::count;
   for (auto& side : box) reserve_at_least(side, blocks);
-  reserve_at_least(vertices, triangles);
+  for (auto& coordinate : vertices) reserve_at_least(coordinate, blocks);
+}
+
+CandidateArrays Candidates::arrays() {
+  CandidateArrays out{triangle.data(), outcodes.data(), {}, {}};
+  for (int i = 0; i < 6; ++i) out.box[i] = box[i].data()->lane.data();
+  for (int i = 0; i < 9; ++i) out.vertices[i] = vertices[i].data()->lane.data();
+  return out;
 }
 
 void DoublePairs::add(const std::array<PaddedVertex, 3>& a, const std::array<PaddedVertex, 3>& b, TrianglePair pair) {
@@ -96,7 +99,7 @@ ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Quer
   const std::size_t pairs =
       Lanes<float>::count +
       std::max(pairs_at_once, Lanes<float>::count * std::max(first.tree().most_triangles(), second.tree().most_triangles()));
-  for (auto* list : {&scratch.of_first, &scratch.of_second, &scratch.meet, &scratch.unknown}) reserve_at_least(*list, pairs);
+  for (auto* list : {&scratch.pairs, &scratch.meet, &scratch.unknown}) reserve_at_least(*list, pairs);
 }
 
 void ClusterPairs::add(int a, int b) {
@@ -109,7 +112,7 @@ void ClusterPairs::add(int a, int b) {
   Box<float> common = of_a.box;
   common.cut(box_b);
   common.grow(slack);
-  Side side_a{first_, a, false, arrays_of(scratch_.first)}, side_b{second_, b, true, arrays_of(scratch_.second)};
+  Side side_a{first_, a, false, scratch_.first.arrays()}, side_b{second_, b, true, scratch_.second.arrays()};
   // The cluster of which less is in the common box comes first. The triangles of the other one are culled against its candidates,
   // too, and these against what is left of the other one.
   const bool is_second_early = share_of(common, box_b) * static_cast<float>(side_b.triangles().count) <
@@ -120,21 +123,17 @@ void ClusterPairs::add(int a, int b) {
   if (!find_candidates(late, common, 2 * slack)) return;
   early.count = kernels_.keep(early.count, late.all, early.candidates);
   if (early.count == 0) return;
-  const CandidateArrays &candidates_a = side_a.candidates, &candidates_b = side_b.candidates;
-  const int count_a = side_a.count, count_b = side_b.count;
   // The candidates of one body are taken one by one, and those of the other in whole blocks. Which is which is chosen so that
   // there is less to compare.
   constexpr int block = Lanes<float>::count;
-  const bool is_first_in_blocks = count_b * blocks_for<float>(count_a) < count_a * blocks_for<float>(count_b);
-  const int single = is_first_in_blocks ? count_b : count_a, in_blocks = is_first_in_blocks ? count_a : count_b;
-  const int step = block * std::max(1, (query_ == Query::full ? pairs_at_once : pairs_at_once_of_yes_no) / (block * single));
-  for (int begin = 0; begin < in_blocks && !is_done(); begin += step) {
-    const int end = std::min(in_blocks, begin + step);
-    const int count = is_first_in_blocks ? kernels_.meeting(candidates_b, count_b, candidates_a, begin, end, 2 * slack,
-                                                            scratch_.of_second.data(), scratch_.of_first.data())
-                                         : kernels_.meeting(candidates_a, count_a, candidates_b, begin, end, 2 * slack,
-                                                            scratch_.of_first.data(), scratch_.of_second.data());
-    filter(a, b, count, slack);
+  const bool is_first_in_blocks = side_b.count * blocks_for<float>(side_a.count) < side_a.count * blocks_for<float>(side_b.count);
+  const Side &single = is_first_in_blocks ? side_b : side_a, &in_blocks = is_first_in_blocks ? side_a : side_b;
+  const int step =
+      block * std::max(1, (query_ == Query::full ? pairs_at_once : pairs_at_once_of_yes_no) / (block * single.count));
+  for (int begin = 0; begin < in_blocks.count && !is_done(); begin += step) {
+    const int count = kernels_.meeting(single.candidates, single.count, in_blocks.candidates, begin,
+                                       std::min(in_blocks.count, begin + step), 2 * slack, scratch_.pairs.data());
+    filter(single, in_blocks, count, slack);
   }
   if (query_ == Query::yes_no && !is_done()) decide();  // it may be done then
 }
@@ -151,22 +150,28 @@ bool ClusterPairs::find_candidates(Side& side, const Box<float>& common, float m
   return true;
 }
 
-void ClusterPairs::filter(int a, int b, int count, float slack) {
+void ClusterPairs::filter(const Side& single, const Side& in_blocks, int count, float slack) {
   if (count == 0) return;
   counts_.triangle_tests += count;
   int meet_count = 0, unknown_count = 0;
-  const CandidateArrays candidates_a = arrays_of(scratch_.first), candidates_b = arrays_of(scratch_.second);
-  kernels_.filter(candidates_a, candidates_b, scratch_.of_first.data(), scratch_.of_second.data(), count, slack,
+  kernels_.filter(single.candidates, single.count, in_blocks.candidates, in_blocks.count, scratch_.pairs.data(), count, slack,
                   scratch_.meet.data(), meet_count, scratch_.unknown.data(), unknown_count);
+  const Side &side_a = single.is_second ? in_blocks : single, &side_b = single.is_second ? single : in_blocks;
+  const int a = side_a.cluster, b = side_b.cluster;
+  // Returns the places of the triangles in their clusters, that of the first body first.
+  const auto places_of = [&](CandidatePair pair) {
+    const int i = single.candidates.triangle[first_of(pair)], j = in_blocks.candidates.triangle[second_of(pair)];
+    return single.is_second ? std::pair(j, i) : std::pair(i, j);
+  };
   const int *const triangles_a = first_.tree().triangles(a), *const triangles_b = second_.tree().triangles(b);
-  const auto first_of = [&](int pair) { return scratch_.first.triangle[scratch_.of_first[pair]]; };
-  const auto second_of = [&](int pair) { return scratch_.second.triangle[scratch_.of_second[pair]]; };
   if (meet_count > 0) list_touching({a, b});
-  for (int m = 0; m < meet_count; ++m)
-    found_.push_back({triangles_a[first_of(scratch_.meet[m])], triangles_b[second_of(scratch_.meet[m])]});
-  const ClusterTriangles vertices_a = first_.tree().cluster_triangles(a), vertices_b = second_.tree().cluster_triangles(b);
+  for (int m = 0; m < meet_count; ++m) {
+    const auto [i, j] = places_of(scratch_.meet[m]);
+    found_.push_back({triangles_a[i], triangles_b[j]});
+  }
+  const ClusterTriangles vertices_a = side_a.triangles(), vertices_b = side_b.triangles();
   for (int m = 0; m < unknown_count; ++m) {
-    const int i = first_of(scratch_.unknown[m]), j = second_of(scratch_.unknown[m]);
+    const auto [i, j] = places_of(scratch_.unknown[m]);
     scratch_.open.push_back({a,
                              b,
                              {vertices_a.vertex[0][i], vertices_a.vertex[1][i], vertices_a.vertex[2][i]},

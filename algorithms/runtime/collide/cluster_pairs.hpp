@@ -34,7 +34,7 @@ struct ClusterPairScratch {
     TrianglePair pair;
   };
   Candidates first, second;
-  std::vector<std::int32_t> of_first, of_second, meet, unknown;  // of pairs of candidates
+  std::vector<CandidatePair> pairs, meet, unknown;
   std::vector<Open> open;
   DoublePairs doubles;
   std::vector<ClusterPair> touching;
@@ -83,7 +83,7 @@ class ClusterPairs {
   // Finds the triangles of a side that are not outside common, and the box around them, grown by margin. Returns whether there
   // are any.
   bool find_candidates(Side& side, const Box<float>& common, float margin);
-  void filter(int a, int b, int count, float slack);
+  void filter(const Side& single, const Side& in_blocks, int count, float slack);
   void list_touching(ClusterPair pair);
 
   SkinnedClusters &first_, &second_;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
+#include "algorithms/runtime/packs/look_up.hpp"
 
 namespace refitlab {
 namespace {
@@ -117,6 +118,7 @@ void ClusterTree::pack_clusters() {
       for (int i = 0; i < 3; ++i) triangle_vertices_[i].push_back(place_of[mesh.triangles[triangle][i]]);
     }
   }
+  for (auto& places : triangle_vertices_) places.resize(places.size() + short_look_up_size(1));
 }
 
 }  // namespace refitlab

@@ -111,7 +111,7 @@ void SkinnedClusters::skin_cluster(int n) {
   require_frame();
   FloatCluster& out = clusters_[n];
   constexpr int lanes = Lanes<float>::count;
-  if (float_vertices_.empty()) float_vertices_.resize(3 * (position_count(tree_) / lanes));
+  if (float_vertices_.empty()) float_vertices_.resize(3 * (position_count(tree_) / lanes) + 1);  // what kernels read beyond
   Lanes<float>* const xyz = &float_vertices_[3 * (tree_.clusters()[n].first_vertex / lanes)];
   out.xyz = xyz->lane.data();
   if (can_skin_in_float(n)) skin_in_float(n, xyz, out);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mask of lanes becomes bits, so that one can go through its lanes one by one.
+// A mask of lanes becomes bits, so that one can go through its lanes one by one, or keep what they have.
 #pragma once
 
 #include <bit>
@@ -27,18 +27,48 @@ namespace refitlab {
 #endif
 }
 
+#if defined(__AVX2__) && !defined(__AVX512F__)
+// Returns the numbers of the lanes whose bits are set, of eight lanes, in the lowest lanes.
+[[gnu::always_inline]] inline __m256i set_lanes(std::uint32_t bits) {
+  const std::uint64_t bytes = _pdep_u64(bits, 0x0101010101010101) * 0xff;
+  return _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<std::int64_t>(_pext_u64(0x0706050403020100, bytes))));
+}
+#endif
+
 // Writes the numbers of the lanes whose bits are set, of a pack of floats, counted from first on. Returns how many these are. out
 // has room for all lanes, and what is behind those may be overwritten.
 [[gnu::always_inline]] inline int write_lanes(std::uint32_t bits, std::int32_t first, std::int32_t* out) {
+  // Where there are instructions for it, there is no branch for each lane, which nothing could foretell.
 #if defined(__AVX512F__)
-  // There is no branch for each lane, which nothing could foretell.
   const __m512i all =
       _mm512_add_epi32(_mm512_set1_epi32(first), _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
   _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), all));
   return std::popcount(bits);
+#elif defined(__AVX2__)
+  const __m256i lanes = _mm256_add_epi32(_mm256_set1_epi32(first), set_lanes(bits));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), lanes);
+  return std::popcount(bits);
 #else
   int count = 0;
   for (; bits; bits &= bits - 1) out[count++] = first + std::countr_zero(bits);
+  return count;
+#endif
+}
+
+// Does the same with the numbers that such a pack has in memory, which out may be, or come before.
+template <class T>
+[[gnu::always_inline]] inline int keep_lanes(std::uint32_t bits, const T* pack, T* out) {
+  static_assert(sizeof(T) == 4);
+#if defined(__AVX512F__)
+  _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), _mm512_loadu_si512(pack)));
+  return std::popcount(bits);
+#elif defined(__AVX2__)
+  const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(pack));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permutevar8x32_epi32(all, set_lanes(bits)));
+  return std::popcount(bits);
+#else
+  int count = 0;
+  for (; bits; bits &= bits - 1) out[count++] = pack[std::countr_zero(bits)];
   return count;
 #endif
 }
