@@ -38,8 +38,8 @@ struct Candidates {
   std::vector<Lanes<float>> box[6];       // low x, y, z, high x, y, z
   std::vector<Lanes<float>> vertices[9];  // x, y, z of the first vertex, then of the second and third one
 
-  // Makes room for so many triangles and places.
-  void reserve(int triangles, int places);
+  // Makes room for so many triangles and places. Returns whether it had to, which moves the lists.
+  bool reserve(int triangles, int places);
   CandidateArrays arrays();
 };
 

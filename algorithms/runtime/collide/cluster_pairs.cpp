@@ -2,6 +2,7 @@
 #include "algorithms/runtime/collide/cluster_pairs.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "algorithms/runtime/collide/triangles_meet.hpp"
 #include "algorithms/runtime/packs/common_bit.hpp"
@@ -14,6 +15,8 @@ namespace {
 // Pairs of candidates are listed in parts of at most so many, or those of one block of the second ones. A yes/no query ends with
 // the first part in which a pair touches.
 constexpr int pairs_at_once = 1 << 14, pairs_at_once_of_yes_no = 1 << 8;
+
+constexpr std::uintptr_t page = 4096;  // bytes
 
 TrianglePoints points_of(const PaddedVertex* vertices, const std::array<std::uint16_t, 3>& places) {
   const auto point = [&](int i) {
@@ -30,19 +33,23 @@ float share_of(const Box<float>& part, const Box<float>& whole) {
   return share;
 }
 
+// Returns whether the list had no such room before.
 template <class T>
-void reserve_at_least(std::vector<T>& list, std::size_t size) {
-  if (list.size() < size) list.resize(size);
+bool reserve_at_least(std::vector<T>& list, std::size_t size) {
+  if (list.size() >= size) return false;
+  list.resize(size);
+  return true;
 }
 
 }  // namespace
 
-void Candidates::reserve(int triangles, int places) {
-  reserve_at_least(triangle, triangles + Lanes<float>::count);
-  reserve_at_least(outcodes, byte_table_size(places));
+bool Candidates::reserve(int triangles, int places) {
+  bool grows = reserve_at_least(triangle, triangles + Lanes<float>::count);
+  grows = reserve_at_least(outcodes, byte_table_size(places)) || grows;
   const std::size_t blocks = look_up_size(triangles) / Lanes<float>::count;
-  for (auto& side : box) reserve_at_least(side, blocks);
-  for (auto& coordinate : vertices) reserve_at_least(coordinate, blocks);
+  for (auto& side : box) grows = reserve_at_least(side, blocks) || grows;
+  for (auto& coordinate : vertices) grows = reserve_at_least(coordinate, blocks) || grows;
+  return grows;
 }
 
 CandidateArrays Candidates::arrays() {
@@ -77,6 +84,32 @@ void DoublePairs::decide(std::vector<TrianglePair>& found) {
 
 void DoublePairs::clear() { vertices_a_.clear(), vertices_b_.clear(), pairs_.clear(); }
 
+void ClusterPairScratch::reserve(const ClusterTree& first_tree, const ClusterTree& second_tree) {
+  bool grows = first.reserve(first_tree.most_triangles(), first_tree.most_vertices());
+  grows = second.reserve(second_tree.most_triangles(), second_tree.most_vertices()) || grows;
+  const int triangles = std::max(first_tree.most_triangles(), second_tree.most_triangles());
+  const std::size_t count = Lanes<float>::count + std::max(pairs_at_once, Lanes<float>::count * triangles);
+  for (auto* list : {&meet, &unknown}) reserve_at_least(*list, count);
+  grows = reserve_at_least(room_for_pairs_, count + page / sizeof(CandidatePair)) || grows;
+  if (grows) place_pairs();
+}
+
+// Processors tell loads from earlier stores by the lowest bits of their addresses at first, and a load waits where these are equal.
+// So the list of pairs, which is written while boxes are read, begins as far from where these do as it can within a page.
+void ClusterPairScratch::place_pairs() {
+  const auto place_of = [](const void* p) { return reinterpret_cast<std::uintptr_t>(p) % page; };
+  std::uintptr_t farthest = 0;
+  for (std::uintptr_t shift = 0; shift < page; shift += sizeof(Lanes<float>)) {
+    std::uintptr_t nearest = page;
+    for (const Candidates* candidates : {&first, &second})
+      for (const auto& side : candidates->box) {
+        const std::uintptr_t behind = (place_of(room_for_pairs_.data()) + shift - place_of(side.data())) % page;
+        nearest = std::min({nearest, behind, page - behind});
+      }
+    if (nearest > farthest) farthest = nearest, first_pair_ = shift / sizeof(CandidatePair);
+  }
+}
+
 ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Query query, QueryCounts& counts,
                            ClusterPairScratch& scratch)
     : first_(first),
@@ -94,12 +127,7 @@ ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Quer
     largest = std::max(largest, std::abs(offset));
   }
   lost_ = four_roundings * static_cast<float>(largest);
-  scratch.first.reserve(first.tree().most_triangles(), first.tree().most_vertices());
-  scratch.second.reserve(second.tree().most_triangles(), second.tree().most_vertices());
-  const std::size_t pairs =
-      Lanes<float>::count +
-      std::max(pairs_at_once, Lanes<float>::count * std::max(first.tree().most_triangles(), second.tree().most_triangles()));
-  for (auto* list : {&scratch.pairs, &scratch.meet, &scratch.unknown}) reserve_at_least(*list, pairs);
+  scratch.reserve(first.tree(), second.tree());
 }
 
 void ClusterPairs::add(int a, int b) {
@@ -132,7 +160,7 @@ void ClusterPairs::add(int a, int b) {
       block * std::max(1, (query_ == Query::full ? pairs_at_once : pairs_at_once_of_yes_no) / (block * single.count));
   for (int begin = 0; begin < in_blocks.count && !is_done(); begin += step) {
     const int count = kernels_.meeting(single.candidates, single.count, in_blocks.candidates, begin,
-                                       std::min(in_blocks.count, begin + step), 2 * slack, scratch_.pairs.data());
+                                       std::min(in_blocks.count, begin + step), 2 * slack, scratch_.pairs());
     filter(single, in_blocks, count, slack);
   }
   if (query_ == Query::yes_no && !is_done()) decide();  // it may be done then
@@ -154,7 +182,7 @@ void ClusterPairs::filter(const Side& single, const Side& in_blocks, int count, 
   if (count == 0) return;
   counts_.triangle_tests += count;
   int meet_count = 0, unknown_count = 0;
-  kernels_.filter(single.candidates, single.count, in_blocks.candidates, in_blocks.count, scratch_.pairs.data(), count, slack,
+  kernels_.filter(single.candidates, single.count, in_blocks.candidates, in_blocks.count, scratch_.pairs(), count, slack,
                   scratch_.meet.data(), meet_count, scratch_.unknown.data(), unknown_count);
   const Side &side_a = single.is_second ? in_blocks : single, &side_b = single.is_second ? single : in_blocks;
   const int a = side_a.cluster, b = side_b.cluster;

@@ -33,11 +33,21 @@ struct ClusterPairScratch {
     std::array<int, 3> a, b;
     TrianglePair pair;
   };
+  // Makes room for candidates of any clusters of two trees.
+  void reserve(const ClusterTree& first_tree, const ClusterTree& second_tree);
+  CandidatePair* pairs() { return room_for_pairs_.data() + first_pair_; }
+
   Candidates first, second;
-  std::vector<CandidatePair> pairs, meet, unknown;
+  std::vector<CandidatePair> meet, unknown;
   std::vector<Open> open;
   DoublePairs doubles;
   std::vector<ClusterPair> touching;
+
+ private:
+  void place_pairs();
+
+  std::vector<CandidatePair> room_for_pairs_;
+  std::size_t first_pair_ = 0;
 };
 
 class ClusterPairs {
