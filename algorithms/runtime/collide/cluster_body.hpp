@@ -93,7 +93,8 @@ class ClusterBody {
   QueryScratch& query_scratch() { return query_scratch_; }
 
   // Returns how much more work was done since begin than skinning everything takes, in the unit of SkinnedClusters.
-  long excess_work() const { return work_ + clusters_.work() - clusters_.work_of_all(); }
+  long excess_work() const { return work_ + clusters_.work() - work_of_all(); }
+  long work_of_all() const { return clusters_.work_of_all(); }
 
   // These counts are since begin.
   long nodes_bounded() const { return nodes_bounded_; }

@@ -25,6 +25,10 @@ bool touch_again(ClusterPairs& clusters, const ClusterTree& first, const Cluster
   return false;
 }
 
+// Returns how much more work a query did than one for which bounds are worth while. It goes through boxes besides. So where it spares
+// less than a fifth of what skinning everything takes, that is faster, as measured.
+long excess_work(const ClusterBody& body) { return body.excess_work() + body.work_of_all() / 5; }
+
 }  // namespace
 
 std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query query, QueryCounts& counts, PairMemory* memory) {
@@ -56,7 +60,7 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
     memory->remember(of_clusters.touching());
     if (!memory->are_near) memory->count_query(0);
     else if (is_whole) memory->count_whole_query();
-    else memory->count_query(are_in_float ? first.excess_work() + second.excess_work() : 0);
+    else memory->count_query(are_in_float ? excess_work(first) + excess_work(second) : 0);
     const bool is_no_bound_needed = memory->are_entangled() || (query == Query::yes_no && !pairs.empty());
     first.expect_no_bound(is_no_bound_needed), second.expect_no_bound(is_no_bound_needed);
   }

@@ -128,6 +128,7 @@ ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Quer
   }
   lost_ = four_roundings * static_cast<float>(largest);
   scratch.reserve(first.tree(), second.tree());
+  candidates_[0] = scratch.first.arrays(), candidates_[1] = scratch.second.arrays();
 }
 
 void ClusterPairs::add(int a, int b) {
@@ -140,7 +141,7 @@ void ClusterPairs::add(int a, int b) {
   Box<float> common = of_a.box;
   common.cut(box_b);
   common.grow(slack);
-  Side side_a{first_, a, false, scratch_.first.arrays()}, side_b{second_, b, true, scratch_.second.arrays()};
+  Side side_a{first_, a, false, candidates_[0]}, side_b{second_, b, true, candidates_[1]};
   // The cluster of which less is in the common box comes first. The triangles of the other one are culled against its candidates,
   // too, and these against what is left of the other one.
   const bool is_second_early = share_of(common, box_b) * static_cast<float>(side_b.triangles().count) <

@@ -84,7 +84,7 @@ class ClusterPairs {
     SkinnedClusters& body;
     int cluster;
     bool is_second;
-    CandidateArrays candidates;
+    const CandidateArrays& candidates;
     int count = 0;
     Box<float> all{};
 
@@ -100,6 +100,7 @@ class ClusterPairs {
   const Query query_;
   QueryCounts& counts_;
   ClusterPairScratch& scratch_;
+  CandidateArrays candidates_[2];
   const ClusterPairKernels& kernels_ = cluster_pair_kernels(best_target());
   float offset_[3], lost_;  // from the first origin to the second one, and four roundings of it
   std::vector<TrianglePair> found_;
