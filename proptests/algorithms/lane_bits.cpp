@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests lane bits through a kernel that goes through lanes one by one, so that every target's own way is tried.
+// Tests lane bits through a kernel that keeps what some lanes have, so that every target's own way is tried.
 #include "algorithms/runtime/packs/lane_bits.hpp"
 
 #include <random>

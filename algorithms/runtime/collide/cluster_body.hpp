@@ -94,6 +94,7 @@ class ClusterBody {
 
   // Returns how much more work was done since begin than skinning everything takes, in the unit of SkinnedClusters.
   long excess_work() const { return work_ + clusters_.work() - work_of_all(); }
+  // Returns the work of skinning everything, in this unit.
   long work_of_all() const { return clusters_.work_of_all(); }
 
   // These counts are since begin.

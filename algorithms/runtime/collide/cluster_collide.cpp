@@ -25,9 +25,10 @@ bool touch_again(ClusterPairs& clusters, const ClusterTree& first, const Cluster
   return false;
 }
 
-// Returns how much more work a query did than one for which bounds are worth while. It goes through boxes besides. So where it spares
-// less than a fifth of what skinning everything takes, that is faster, as measured.
-long excess_work(const ClusterBody& body) { return body.excess_work() + body.work_of_all() / 5; }
+// Returns how much more work was done for a body since begin than is worth while. Queries go through boxes besides. So where bounds
+// spare less than a fifth of the work of skinning everything, it is faster to do that, as measured. A body that other queries of the
+// frame skinned whole says nothing.
+long work_beyond_use(const ClusterBody& body) { return body.is_all_skinned() ? 0 : body.excess_work() + body.work_of_all() / 5; }
 
 }  // namespace
 
@@ -60,7 +61,7 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
     memory->remember(of_clusters.touching());
     if (!memory->are_near) memory->count_query(0);
     else if (is_whole) memory->count_whole_query();
-    else memory->count_query(are_in_float ? excess_work(first) + excess_work(second) : 0);
+    else memory->count_query(are_in_float ? work_beyond_use(first) + work_beyond_use(second) : 0);
     const bool is_no_bound_needed = memory->are_entangled() || (query == Query::yes_no && !pairs.empty());
     first.expect_no_bound(is_no_bound_needed), second.expect_no_bound(is_no_bound_needed);
   }

@@ -30,8 +30,8 @@ struct CandidateArrays {
   float* vertices[9];
 };
 
-// Candidates are the triangles of a cluster that are left. The lists have room for all triangles of the cluster, and for one
-// block more.
+// Candidates are the triangles of a cluster that are left. The lists have room for all triangles of the cluster, in whole
+// packs, and that of triangles for one block more.
 struct Candidates {
   std::vector<std::int32_t> triangle;     // in the cluster
   std::vector<std::uint8_t> outcodes;     // by place, while culling
@@ -43,7 +43,8 @@ struct Candidates {
   CandidateArrays arrays();
 };
 
-// A CandidatePair has a place of each of two lists of candidates, of at most 2^15.
+// A CandidatePair has a place of each of two lists of candidates.
+inline constexpr int most_candidates = 1 << 15;  // of a list
 using CandidatePair = std::int32_t;
 constexpr CandidatePair pair_of(int first, int second) { return (first << 16) + second; }
 constexpr int first_of(CandidatePair pair) { return pair >> 16; }
@@ -53,7 +54,7 @@ struct ClusterPairKernels {
   // Calls find_meeting.
   int (*overlaps)(const BoxBlock<float>* blocks, int count, const Box<float>& box, int* out);
   // Lists the triangles whose vertices are not all beyond one side of box. xyz has the x of all places, then y, then z,
-  // place_count (whole blocks) each. Returns their number. The list's last block is filled up with the first one.
+  // place_count (whole blocks) each. Returns their number. A pack behind them in the list repeats the first one.
   int (*cull)(const ClusterTriangles& triangles, const float* xyz, int place_count, const Box<float>& box,
               const CandidateArrays& out);
   // Fills the vertices, moved by offset, and the boxes of count candidates, listed as by cull. all becomes the box around them. One
@@ -64,10 +65,10 @@ struct ClusterPairKernels {
   int (*keep)(int count, const Box<float>& box, const CandidateArrays& candidates);
   // Lists the pairs of candidates whose boxes are apart by no more than margin. The pairs are of all first ones and of the second
   // ones in [begin, end), where begin is a multiple of 16. Returns their number. The list has room for one block more than all
-  // pairs, and such a block behind the pairs repeats the last one.
+  // pairs, and a pack behind them repeats the last one.
   int (*meeting)(const CandidateArrays& a, int count_a, const CandidateArrays& b, int begin, int end, float margin,
                  CandidatePair* pairs);
-  // Filters so many pairs of candidates, listed as by meeting, whose vertices are off by at most slack. Those that certainly
+  // Filters so many pairs of candidates, with a pack of any behind them, whose vertices are off by at most slack. Those that certainly
   // meet are written to meet, and unknown ones to unknown; each has room for all, and for one block more.
   void (*filter)(const CandidateArrays& a, int count_a, const CandidateArrays& b, int count_b, const CandidatePair* pairs,
                  int count, float slack, CandidatePair* meet, int& meet_count, CandidatePair* unknown, int& unknown_count);

@@ -16,6 +16,8 @@ namespace {
 // the first part in which a pair touches.
 constexpr int pairs_at_once = 1 << 14, pairs_at_once_of_yes_no = 1 << 8;
 
+static_assert(most_cluster_triangles <= most_candidates);
+
 constexpr std::uintptr_t page = 4096;  // bytes
 
 TrianglePoints points_of(const PaddedVertex* vertices, const std::array<std::uint16_t, 3>& places) {

@@ -26,7 +26,7 @@ class DoublePairs {
   std::vector<Filtered> answers_;
 };
 
-// ClusterPairScratch is working storage, which may be used again for any bodies.
+// ClusterPairScratch is working storage of one ClusterPairs at a time, which may be used again for any bodies.
 struct ClusterPairScratch {
   struct Open {  // a pair that floats leave unknown: its vertices by position in their clusters, and triangles of the models
     int cluster_a, cluster_b;

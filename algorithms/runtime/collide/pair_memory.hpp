@@ -33,8 +33,8 @@ class PairMemory {
   bool are_near = false;
   // Returns whether the next query skins both bodies whole.
   bool are_entangled() const { return whole_queries_ > 0; }
-  // These remember that a query skinned both bodies whole, or else how much more work it did than that. If it did more, some of
-  // the next queries skin them whole, and then one bounds them again. Each time, more queries skin them whole.
+  // These remember that a query skinned both bodies whole, or else how much more work it did than is worth while. If it did more,
+  // some of the next queries skin them whole, and then one bounds them again. Each time, more queries skin them whole.
   void count_whole_query() { --whole_queries_; }
   void count_query(long excess_work) {
     whole_queries_ = excess_work > 0 ? next_whole_queries_ : 0;

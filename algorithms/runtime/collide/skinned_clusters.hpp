@@ -26,7 +26,7 @@ struct FloatCluster {
   // roundings. It is infinite where floats say nothing; then so is the box.
   float slack;
   Box<float> box;    // around the doubles, less the origin
-  const float* xyz;  // x of all positions, then y, then z
+  const float* xyz;  // x of all positions, then y, then z; one block behind them can be read
 };
 
 class SkinnedClusters {
