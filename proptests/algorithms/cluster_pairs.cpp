@@ -196,7 +196,7 @@ void check_candidates(const DrawnTriangles& drawn, Target target) {
   kernels.place(drawn.triangles(), drawn.xyz(), drawn.places, offset, found, out, all);
   if (!are_numbers_in_place(drawn, found, out, all)) return;
   const int left = check_kept(drawn, kernels, found, out);
-  if (left > 32) RC_TAG(drawn.places > most_looked_up ? "many of many places are kept" : "many are kept");
+  if (left > 32) RC_TAG(drawn.places > most_in_registers ? "many of many places are kept" : "many are kept");
   check_meeting(target, left, out);
 }
 

@@ -68,15 +68,16 @@ REFITLAB_KERNEL int cull(const ClusterTriangles& triangles, const float* xyz, in
   return found;
 }
 
-REFITLAB_KERNEL void place(const ClusterTriangles& triangles, const float* xyz, int place_count, const float* offset, int count,
-                           const CandidateArrays& out, Box<float>& all) {
+template <Table kind>
+void place_all(const ClusterTriangles& triangles, const float* xyz, int place_count, const float* offset, int count,
+               const CandidateArrays& out, Box<float>& all) {
   Box<S> whole = Box<S>::empty();
   for (int k = 0; k < count; k += width) {
     TriangleOf<S> vertices;
     alignas(64) std::int32_t at[3][width];
-    for (int c = 0; c < 3; ++c) look_up(triangles.vertex[c], triangles.count, out.triangle + k, at[c]);
+    for (int c = 0; c < 3; ++c) look_up<kind>(triangles.vertex[c], triangles.count, out.triangle + k, at[c]);
     for (int i = 0; i < 3; ++i) {
-      const std::array<S, 3> found = look_up<false, 3>(xyz + i * place_count, place_count, {at[0], at[1], at[2]});
+      const std::array<S, 3> found = look_up<kind, 3>(xyz + i * place_count, place_count, {at[0], at[1], at[2]});
       for (int c = 0; c < 3; ++c) store(vertices[c][i] = found[c] + S(offset[i]), out.vertices[3 * c + i] + k);
     }
     Box<S> box;
@@ -89,6 +90,13 @@ REFITLAB_KERNEL void place(const ClusterTriangles& triangles, const float* xyz, 
   }
   for (int i = 0; i < 3; ++i)
     all.low[i] = std::experimental::hmin(whole.low[i]), all.high[i] = std::experimental::hmax(whole.high[i]);
+}
+
+REFITLAB_KERNEL void place(const ClusterTriangles& triangles, const float* xyz, int place_count, const float* offset, int count,
+                           const CandidateArrays& out, Box<float>& all) {
+  if (std::max(place_count, triangles.count) <= most_in_registers)
+    place_all<Table::in_registers>(triangles, xyz, place_count, offset, count, out, all);
+  else place_all<Table::in_memory>(triangles, xyz, place_count, offset, count, out, all);
 }
 
 // Returns the lanes whose boxes are not apart from the given one.
@@ -135,28 +143,37 @@ REFITLAB_KERNEL int meeting(const CandidateArrays& a, int count_a, const Candida
 }
 
 // Returns the vertices of one candidate in each lane.
+template <Table kind>
 TriangleOf<S> vertices_of(const CandidateArrays& candidates, int count, const std::int32_t* which) {
   TriangleOf<S> out;
   for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < 3; ++i) out[c][i] = look_up<false>(candidates.vertices[3 * c + i], count, which);
+    for (int i = 0; i < 3; ++i) out[c][i] = look_up<kind>(candidates.vertices[3 * c + i], count, which);
   return out;
 }
 
-REFITLAB_KERNEL void filter(const CandidateArrays& a, int count_a, const CandidateArrays& b, int count_b,
-                            const CandidatePair* pairs, int count, float slack, CandidatePair* meet, int& meet_count,
-                            CandidatePair* unknown, int& unknown_count) {
+template <Table kind>
+void filter_all(const CandidateArrays& a, int count_a, const CandidateArrays& b, int count_b, const CandidatePair* pairs,
+                int count, float slack, CandidatePair* meet, int& meet_count, CandidatePair* unknown, int& unknown_count) {
   const NearVertices<S> vertices{S(2 * slack)};
   for (int from = 0; from < count; from += width) {
     alignas(64) std::int32_t first[width], second[width];
     for (int lane = 0; lane < width; ++lane)
       first[lane] = first_of(pairs[from + lane]), second[lane] = second_of(pairs[from + lane]);
     const auto filtered =
-        filter_lanes<S, NearVertices<S>>(vertices_of(a, count_a, first), vertices_of(b, count_b, second), vertices);
+        filter_lanes<S, NearVertices<S>>(vertices_of<kind>(a, count_a, first), vertices_of<kind>(b, count_b, second), vertices);
     const std::uint32_t valid = first_lanes(count - from), apart = lane_bits(filtered.are_apart);
     const std::uint32_t meeting = lane_bits(filtered.meet) & ~apart & valid, open = ~(meeting | apart) & valid;
     meet_count += keep_lanes(meeting, pairs + from, meet + meet_count);
     unknown_count += keep_lanes(open, pairs + from, unknown + unknown_count);
   }
+}
+
+REFITLAB_KERNEL void filter(const CandidateArrays& a, int count_a, const CandidateArrays& b, int count_b,
+                            const CandidatePair* pairs, int count, float slack, CandidatePair* meet, int& meet_count,
+                            CandidatePair* unknown, int& unknown_count) {
+  if (std::max(count_a, count_b) <= most_in_registers)
+    filter_all<Table::in_registers>(a, count_a, b, count_b, pairs, count, slack, meet, meet_count, unknown, unknown_count);
+  else filter_all<Table::in_memory>(a, count_a, b, count_b, pairs, count, slack, meet, meet_count, unknown, unknown_count);
 }
 
 }  // namespace

@@ -52,9 +52,10 @@ struct Joints {
     for (int i = 0; i < 3; ++i) t.translation[i].copy_to(number(4 + i) + first, std::experimental::vector_aligned);
   }
   Transform of_lanes(const std::int32_t* joint) const {
+    constexpr Table table = few ? Table::of_few : Table::in_registers;
     Transform out;
-    for (int i = 0; i < 4; ++i) out.rotation[i] = look_up<few>(number(i), count, joint);
-    for (int i = 0; i < 3; ++i) out.translation[i] = look_up<few>(number(4 + i), count, joint);
+    for (int i = 0; i < 4; ++i) out.rotation[i] = look_up<table>(number(i), count, joint);
+    for (int i = 0; i < 3; ++i) out.translation[i] = look_up<table>(number(4 + i), count, joint);
     return out;
   }
 
