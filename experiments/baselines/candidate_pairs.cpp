@@ -10,11 +10,11 @@ namespace refitlab {
 CandidatePairs::CandidatePairs(const SkinnedMesh& mesh, VertexInWorld vertex)
     : mesh_(mesh),
       vertex_(std::move(vertex)),
-      sides_{{FrameStamps(mesh.triangles.size()), std::vector<Lanes<float>>(mesh.triangles.size()), {}},
-             {FrameStamps(mesh.triangles.size()), std::vector<Lanes<float>>(mesh.triangles.size()), {}}},
+      sides_{{FrameStamps(mesh.triangles.size()), std::vector<Lanes<float>>(mesh.triangles.size()), {}, {}},
+             {FrameStamps(mesh.triangles.size()), std::vector<Lanes<float>>(mesh.triangles.size()), {}, {}}},
       meet_(many + Lanes<float>::count),
       unknown_(many + Lanes<float>::count) {
-  for (Side& s : sides_) s.candidates.reserve(many, 0);
+  for (Side& s : sides_) s.candidates.reserve(many, 0), s.lists = s.candidates.arrays();
   for (int k = 0; k < many; ++k) lanes_.push_back(pair_of(k, k));
 }
 
@@ -48,8 +48,8 @@ std::vector<TrianglePair> CandidatePairs::found() {
 // Puts a triangle into the lane of the next pair.
 void CandidatePairs::put(int side, int triangle) {
   make(side, triangle);
-  for (int i = 0; i < 9; ++i)
-    sides_[side].candidates.vertices[i].data()->lane.data()[open_.size()] = sides_[side].vertices[triangle].lane[i];
+  const Side& s = sides_[side];
+  for (int i = 0; i < 9; ++i) s.lists.vertices[i][open_.size()] = s.vertices[triangle].lane[i];
 }
 
 void CandidatePairs::make(int side, int triangle) {
@@ -70,8 +70,8 @@ void CandidatePairs::make(int side, int triangle) {
 void CandidatePairs::filter() {
   const float slack = static_cast<float>(0x1p-23 * largest_ + least_float_slack);
   int meet_count = 0, unknown_count = 0;
-  kernels_.filter(sides_[0].candidates.arrays(), many, sides_[1].candidates.arrays(), many, lanes_.data(),
-                  static_cast<int>(open_.size()), slack, meet_.data(), meet_count, unknown_.data(), unknown_count);
+  kernels_.filter(sides_[0].lists, many, sides_[1].lists, many, lanes_.data(), static_cast<int>(open_.size()), slack,
+                  meet_.data(), meet_count, unknown_.data(), unknown_count);
   for (int m = 0; m < meet_count; ++m) found_.push_back(open_[first_of(meet_[m])]);
   const auto points = [&](int side, int triangle) {
     const Triangle& t = mesh_.triangles[triangle];

@@ -38,6 +38,7 @@ class CandidatePairs {
     FrameStamps is_made;                 // by triangle
     std::vector<Lanes<float>> vertices;  // a record a triangle: its vertices' coordinates
     Candidates candidates;               // the triangles of the pairs that are open, a pair a lane
+    CandidateArrays lists;               // its lists
   };
 
   void put(int side, int triangle);

@@ -2,7 +2,6 @@
 #include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "algorithms/runtime/collide/triangles_filter.hpp"
 #include "algorithms/runtime/packs/common_bit.hpp"
