@@ -12,8 +12,8 @@ namespace {
 
 constexpr int lanes = Lanes<float>::count;
 
-// A node is refitted whole with others of its joint-sets if these are few and the nodes fill a good part of the lanes.
-constexpr std::size_t most_sets = most_sets_of_whole_nodes, fewest_nodes = 4;
+// A weight vertex of a node that is taken apart takes as long as this many of a node that is refitted whole, as measured.
+constexpr double cost_apart = 2.5;
 
 std::span<const NodePiece> pieces_of(const SphereTree& tree, const TreeNode& node) {
   return {tree.pieces.data() + node.first_piece, static_cast<std::size_t>(node.piece_count)};
@@ -43,6 +43,35 @@ constexpr auto has_fewer_weight_vertices = [](const auto& a, const auto& b) {
          std::pair(weight_vertex_count(b.sets), weight_vertex_counts(b.sets));
 };
 
+// Calls block(items) with the items of one block after another.
+template <class Items, class Block>
+void for_each_block(const Items& items, const Block& block) {
+  for (std::size_t first = 0; first < items.size(); first += lanes)
+    block(std::span(items).subspan(first, std::min<std::size_t>(lanes, items.size() - first)));
+}
+
+// Returns the most weight vertices that an item of a block has of joint-set e.
+template <class Items>
+int most_weight_vertices(const Items& block, std::size_t e) {
+  int most = 0;
+  for (const auto& item : block) most = std::max(most, item.sets[e].weight_vertex_count);
+  return most;
+}
+
+// Returns whether nodes of the same joint-sets are refitted whole: there must be few joint-sets, and the nodes' weight vertices must
+// fill a good part of the lanes.
+template <class Items>
+bool are_whole(const Items& items) {
+  const std::size_t set_count = items[0].sets.size();
+  if (set_count > most_sets_of_whole_nodes) return false;
+  long used = 0, taken = 0;
+  for_each_block(items, [&](auto block) {
+    for (const auto& item : block) used += weight_vertex_count(item.sets);
+    for (std::size_t e = 0; e < set_count; ++e) taken += lanes * most_weight_vertices(block, e);
+  });
+  return set_count == 1 || static_cast<double>(taken) < cost_apart * static_cast<double>(used);
+}
+
 }  // namespace
 
 PackedNodes::PackedNodes(const SphereTree& tree, const JointSets& sets) : places_(tree.nodes.size()) {
@@ -54,11 +83,11 @@ PackedNodes::PackedNodes(const SphereTree& tree, const JointSets& sets) : places
     by_sets[names_of(own)].push_back({&node, own, static_cast<int>(n)});
     largest_reference_ = std::max(largest_reference_, float_above(node.reference.center.norm()));
   }
-  std::map<std::pair<int, int>, std::vector<Item>> pieces;  // by joint-set and count of weight vertices
+  std::map<int, std::vector<Item>> pieces;  // by joint-set
   std::vector<int> merged;
   for (auto& [names, items] : by_sets) {
-    if (names.size() == 1 || (names.size() <= most_sets && items.size() >= fewest_nodes)) {
-      std::stable_sort(items.begin(), items.end(), has_fewer_weight_vertices);
+    std::stable_sort(items.begin(), items.end(), has_fewer_weight_vertices);
+    if (are_whole(items)) {
       std::vector<int> nodes;
       for (const Item& item : items) nodes.push_back(item.target);
       place(nodes);
@@ -70,13 +99,16 @@ PackedNodes::PackedNodes(const SphereTree& tree, const JointSets& sets) : places
       merged.push_back(item.target);
       merged_.push_back({record_count_, count, float_above(item.node->reference.radius), 0});
       for (int record = record_count_; const NodePiece& s : item.sets) {
-        pieces[{s.joint_set, s.weight_vertex_count}].push_back({item.node, {&s, 1}, record});
+        pieces[s.joint_set].push_back({item.node, {&s, 1}, record});
         record += s.weight_vertex_count;
       }
       record_count_ += (count + 3) / 4 * 4;
     }
   }
-  for (const auto& [key, items] : pieces) add(tree, sets, items, pieces_);
+  for (auto& [set, items] : pieces) {
+    std::stable_sort(items.begin(), items.end(), has_fewer_weight_vertices);
+    add(tree, sets, items, pieces_);
+  }
   place(merged);
   for (std::size_t i = 0; i < merged.size(); ++i) merged_[i].place = places_[merged[i]];
 }
@@ -90,8 +122,7 @@ void PackedNodes::place(std::span<const int> nodes) {
 }
 
 void PackedNodes::add(const SphereTree& tree, const JointSets& sets, std::span<const Item> items, Blocks& to) {
-  for (std::size_t first = 0; first < items.size(); first += lanes)
-    add_block(tree, sets, items.subspan(first, std::min<std::size_t>(lanes, items.size() - first)), to);
+  for_each_block(items, [&](std::span<const Item> block) { add_block(tree, sets, block, to); });
 }
 
 void PackedNodes::add_block(const SphereTree& tree, const JointSets& sets, std::span<const Item> items, Blocks& to) {
@@ -113,11 +144,9 @@ void PackedNodes::add_block(const SphereTree& tree, const JointSets& sets, std::
   int weight_vertices = 0;
   for (std::size_t e = 0; e < set_count; ++e) {
     const int set = items[0].sets[e].joint_set, joints = static_cast<int>(sets.joints(set).size());
-    int fewest = items[0].sets[e].weight_vertex_count, most = 0;
-    for (const Item& it : items) {
-      fewest = std::min(fewest, it.sets[e].weight_vertex_count);
-      most = std::max(most, it.sets[e].weight_vertex_count);
-    }
+    const int most = most_weight_vertices(items, e);
+    int fewest = most;
+    for (const Item& it : items) fewest = std::min(fewest, it.sets[e].weight_vertex_count);
     to.sets.push_back({set, joints, fewest, most});
     weight_vertices += most;
     for (int k = 0; k < most; ++k) {
@@ -130,7 +159,8 @@ void PackedNodes::add_block(const SphereTree& tree, const JointSets& sets, std::
     }
   }
   to.most_weight_vertices = std::max(to.most_weight_vertices, weight_vertices);
-  for (int lane = 0; lane < lanes; ++lane) to.targets.push_back(item(lane).target);
+  for (int lane = 0; lane < lanes; ++lane)
+    to.targets.push_back({item(lane).target, item(lane).target + item(lane).sets[0].weight_vertex_count - 1});
 }
 
 NodeBlocks PackedNodes::Blocks::view() const {

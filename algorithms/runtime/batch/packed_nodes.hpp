@@ -35,7 +35,7 @@ class PackedNodes {
     std::vector<NodeBlock> blocks;
     std::vector<BlockSet> sets;
     std::vector<Lanes<float>> data;
-    std::vector<int> targets;
+    std::vector<PieceTarget> targets;
     int most_weight_vertices = 0;
   };
   // An Item is a node, or a piece of it, in one lane.

@@ -98,6 +98,16 @@ struct Spherical {
       return;
     }
     const PaletteEntry<S> palette{transforms, rotation_center, center_images, {}};
+    if (m == 1) {  // one rotation, whose error is a part of the slack
+      const std::span<const S> w = weights.read(read);
+      const Quaternion<S> blend = blend_quaternion(palette, w);
+      const S inverse = S(1) / root(squared_norm(blend));
+      out.center[0] = blend_center(palette, w);
+      out.offset = rotate<S>(blend * inverse, x);
+      out.sum = out.center[0] + out.offset;
+      out.radius = S(algorithm1_slack(n)) * (longer * inverse + size);
+      return;
+    }
     Quaternion<S> direction(S(0), S(0), S(0), S(0));
     Vec<S, 3> sum(S(0), S(0), S(0));
     S longest_inverse(1), count(static_cast<float>(set.certain_weight_vertices));
@@ -178,6 +188,17 @@ void store(const Vec<S, 3>& v, Lanes<float>* to, int first) {
   for (int i = 0; i < 3; ++i) store(v[i], to[i], first);
 }
 
+// Head has the numbers of a block that come first.
+struct Head {
+  Vec<S, 3> p;
+  S r, share;
+  Head(const NodeBlock& block, Reader& read) {
+    for (int i = 0; i < 3; ++i) p[i] = read();
+    r = read();
+    share = block.share > 0 ? S(block.share) : read();
+  }
+};
+
 template <class Blending>
 REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& frame, Lanes<float>* out) {
   Scratch scratch(all.most_weight_vertices);
@@ -185,8 +206,7 @@ REFITLAB_KERNEL void refit_nodes(const NodeBlocks& all, const FrameNumbers& fram
   for (const NodeBlock* block = all.blocks; block != all.blocks + all.block_count; ++block, out += 4)
     for (int first = 0; first < Lanes<float>::count; first += pack_size) {
       Reader read(all.data + block->first_data, first);
-      const S px = read(), py = read(), pz = read(), r = read(), share = block->share > 0 ? S(block->share) : read();
-      const Vec<S, 3> p(px, py, pz);
+      const auto [p, r, share] = Head(*block, read);
       Vec<S, 3> sum(S(0), S(0), S(0));
       int weight_vertices = 0;
       for (int e = 0; e < block->set_count; ++e) {
@@ -223,11 +243,11 @@ REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& fra
     const BlockSet& set = all.sets[block->first_set];
     for (int first = 0; first < Lanes<float>::count; first += pack_size) {
       Reader read(all.data + block->first_data, first);
-      const S px = read(), py = read(), pz = read(), r = read();
+      const Head head(*block, read);
       WeightVertexBalls own;
       own.center = scratch.centers.data();
-      weight_vertex_balls<Blending>(set, frame, {px, py, pz}, r, read, scratch.units.data(), own);
-      const int* targets = all.targets + block->first_target + first;
+      weight_vertex_balls<Blending>(set, frame, head.p, head.r, read, scratch.units.data(), own);
+      const PieceTarget* targets = all.targets + block->first_target + first;
       for (int k = 0; k < set.weight_vertex_count; ++k) {
         alignas(64) float numbers[4][pack_size];
         for (int i = 0; i < 3; ++i) S(own.center[k][i] + own.offset[i]).copy_to(numbers[i], std::experimental::vector_aligned);
@@ -236,7 +256,10 @@ REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& fra
           Row<float, 4> rows[4];
           for (int i = 0; i < 4; ++i) read_row(numbers[i] + lane, rows[i]);
           transpose(rows);
-          for (int i = 0; i < 4; ++i) records[targets[lane + i] + k] = rows[i];
+          for (int i = 0; i < 4; ++i) {  // a lane that has no such weight vertex repeats its last one
+            const PieceTarget& target = targets[lane + i];
+            records[target.first + k < target.last ? target.first + k : target.last] = rows[i];
+          }
         }
       }
     }
@@ -246,8 +269,10 @@ REFITLAB_KERNEL void refit_pieces(const NodeBlocks& all, const FrameNumbers& fra
 REFITLAB_KERNEL void merge_nodes(const MergedNode* nodes, int node_count, const Row<float, 4>* records, float* balls) {
   for (const MergedNode* node = nodes; node != nodes + node_count; ++node) {
     const Row<float, 4>* own = records + node->first_record;
-    Row<float, 4> sum = own[0];
-    for (int k = 1; k < node->weight_vertex_count; ++k) sum += own[k];
+    Row<float, 4> sums[4] = {own[0], own[1], own[2], own[3]};  // records that fill up have a center of zero
+    for (int k = 4; k < node->weight_vertex_count; k += 4)
+      for (int i = 0; i < 4; ++i) sums[i] += own[k + i];
+    const Row<float, 4> sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
     const float share = 1 / static_cast<float>(node->weight_vertex_count);
     const float center[3] = {sum[0] * share, sum[1] * share, sum[2] * share};
     PackOfFour radius = -beyond_float;  // joints that shrink have negative ones

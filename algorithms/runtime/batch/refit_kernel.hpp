@@ -49,10 +49,14 @@ struct FrameNumbers {
 struct NodeBlock {
   int first_set, set_count;  // in NodeBlocks::sets
   int first_data;            // in NodeBlocks::data
-  int first_target;          // of pieces, in NodeBlocks::targets
+  int first_target;          // in NodeBlocks::targets, of pieces
   float share;               // 1 / (number of weight vertices), or 0 if it is among the numbers
 };
 inline constexpr int most_sets_of_whole_nodes = 3;
+// A PieceTarget says which records are those of a piece's weight vertices.
+struct PieceTarget {
+  int first, last;
+};
 struct BlockSet {
   int joint_set, joint_count;
   int certain_weight_vertices, weight_vertex_count;  // the fewest and the most of any lane
@@ -62,8 +66,8 @@ struct NodeBlocks {
   int block_count;
   const BlockSet* sets;
   const Lanes<float>* data;
-  const int* targets;        // by lane, of a piece: which record is that of its first weight vertex
-  int most_weight_vertices;  // of any block, in all of its sets
+  const PieceTarget* targets;  // by lane
+  int most_weight_vertices;    // of any block, in all of its sets
 };
 
 // Refits whole nodes. out gets the balls' x, y, z and radius, which are four Lanes for each block.
