@@ -46,6 +46,17 @@ bool is_near_a_right_angle(const std::vector<Quaternion<double>>& unit) {
   return !(std::abs(8 * far * (1 - far) - 1) > 1e-3) || !(sum.norm() > 1e-3);
 }
 
+// Returns the triangle whose vertices are all moved by two joints alike.
+SkinnedMesh triangle_between_two_joints() {
+  SkinnedMesh model;
+  model.name = "a triangle between two joints";
+  model.joints = {{"a", -1, Point3::Zero()}, {"b", 0, Point3::UnitX()}};
+  model.vertices = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}};
+  model.triangles = {{0, 1, 2}};
+  model.influences.assign(3, {{0, 0.5}, {1, 0.5}});
+  return model;
+}
+
 // Decides exactly, after a quick test, since most vertices are far from the surface.
 bool exact_encloses(const Ball3<double>& ball, const Point3& v) {
   if (norm<double, 3>(v - ball.center) * (1 + 1e-14) + 1e-150 < ball.radius) return true;
@@ -258,12 +269,7 @@ void the_slack_holds_what_floats_lose(Suite& t) {
     });
   }
   t.example("of blends that nearly vanish the slack is as many times larger", {.number_type = "float pack"}, [] {
-    SkinnedMesh model;
-    model.name = "a triangle between two joints";
-    model.joints = {{"a", -1, Point3::Zero()}, {"b", 0, Point3::UnitX()}};
-    model.vertices = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}};
-    model.triangles = {{0, 1, 2}};
-    model.influences.assign(3, {{0, 0.5}, {1, 0.5}});
+    const SkinnedMesh model = triangle_between_two_joints();
     for (const double half_angle : {1.0, 1.4, 1.5, 1.55, 1.57}) {
       Pose pose = reference_pose(model);
       pose[1] = {{std::cos(half_angle), 0, 0, std::sin(half_angle)}, {0.3, 0.2, 0.1}};
@@ -275,6 +281,27 @@ void the_slack_holds_what_floats_lose(Suite& t) {
 }
 
 void hard_cases_miss_no_vertex(Suite& t) {
+  t.example(
+      "where a blend is zero, as that of a palette filled by hand may be, a ball holds the vertices in any rotation",
+      {.number_type = "float pack"}, [] {
+        const SkinnedMesh model = triangle_between_two_joints();
+        const JointSets sets(model);
+        const SphereTree tree = build_sphere_tree(model, sets);
+        SkinningPalette<double> palette;
+        const auto transforms = palette.append(2);
+        transforms[0].rotation = {0.6, 0, 0.8, 0}, transforms[1].rotation = {-0.6, 0, -0.8, 0};
+        const Point3 center(0.25, 0, 0.5), moved(2, -1, 3);
+        for (auto& transform : transforms) transform.translation = moved - rotate<double>(transform.rotation, center);
+        palette.complete(center);
+        BatchRefit batch(tree, sets);
+        for (const Target target : available_targets()) {
+          const Ball3<float> ball = batch.spherical(palette, target)[0];
+          for (const Point3& vertex : model.vertices)
+            if (!((ball.center.cast<double>() - moved).norm() + (vertex - center).norm() <= ball.radius) || !(ball.radius < 10))
+              return Checked(false, 1, name_of(target));
+        }
+        return Checked(true, 1);
+      });
   t.holds("nor is a vertex missed where joints are turned nearly opposite ways, and a cap would be over a half-sphere",
           {.number_type = "float pack", .cases = 100, .tags_at_least = {{"beyond a right angle", 0.2}}}, [] {
             const gen::OppositeJoints soup = gen::opposite_joints(*rc::gen::arbitrary<unsigned>());

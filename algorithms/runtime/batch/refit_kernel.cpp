@@ -73,6 +73,12 @@ class Weights {
   ByJoint<S, joints> w_;
 };
 
+// Returns the bound of one unit quaternion, which is that rotation. If it is no number, all rotations are allowed.
+RotationBound<S> bound_rotation(const Quaternion<S>& unit) {
+  const auto is_rotation = is_certainly_nonzero(squared_norm(unit));
+  return {choose(is_rotation, unit, identity_quaternion<S>()), choose(is_rotation, S(1), S(0)), choose(is_rotation, S(0), S(1))};
+}
+
 // This is Algorithm 1 repaired. joints and weight_vertices are how many the set has, or 0 if that is only known at run time.
 struct Spherical {
   template <int joints, int weight_vertices>
@@ -98,16 +104,6 @@ struct Spherical {
       return;
     }
     const PaletteEntry<S> palette{transforms, rotation_center, center_images, {}};
-    if (m == 1) {  // one rotation, whose error is a part of the slack
-      const std::span<const S> w = weights.read(read);
-      const Quaternion<S> blend = blend_quaternion(palette, w);
-      const S inverse = S(1) / root(squared_norm(blend));
-      out.center[0] = blend_center(palette, w);
-      out.offset = rotate<S>(blend * inverse, x);
-      out.sum = out.center[0] + out.offset;
-      out.radius = S(algorithm1_slack(n)) * (longer * inverse + size);
-      return;
-    }
     Quaternion<S> direction(S(0), S(0), S(0), S(0));
     Vec<S, 3> sum(S(0), S(0), S(0));
     S longest_inverse(1), count(static_cast<float>(set.certain_weight_vertices));
@@ -119,6 +115,18 @@ struct Spherical {
       units[k] = blend * inverse;
       out.center[k] = blend_center(palette, w);
     };
+    const auto turn = [&](const RotationBound<S>& bound) {
+      const Ball3<S> turned = rotated_ball(bound, x);
+      out.offset = turned.center;
+      const S inverse = choose(bound.center_ratio == S(0), S(1), longest_inverse);  // of all rotations none is off
+      out.radius = turned.radius + S(algorithm1_slack(n)) * (longer * inverse + size);
+    };
+    if (m == 1) {
+      place(0);
+      turn(bound_rotation(units[0]));
+      out.sum = out.center[0] + out.offset;
+      return;
+    }
     for (int k = 0; k < set.certain_weight_vertices; ++k) {
       place(k);
       direction = direction + units[k];
@@ -131,12 +139,8 @@ struct Spherical {
       sum = sum + out.center[k] * included;
       count = count + included;
     }
-    const RotationBound<S> bound = bound_rotations<S>({units, static_cast<std::size_t>(m)}, direction);
-    const Ball3<S> turned = rotated_ball(bound, x);
-    out.offset = turned.center;
+    turn(bound_rotations<S>({units, static_cast<std::size_t>(m)}, direction));
     out.sum = sum + out.offset * count;
-    longest_inverse = choose(bound.center_ratio == S(0), S(1), longest_inverse);  // of all rotations none is off
-    out.radius = turned.radius + S(algorithm1_slack(n)) * (longer * longest_inverse + size);
   }
 };
 
