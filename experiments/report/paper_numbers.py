@@ -113,6 +113,17 @@ def batch_gains(results):
     return [1 / v for v in results.values("batch_speed", operation="refit_spherical", variant="avx512", quantity="time_ratio_to_scalar")]
 
 
+def opened_gains(results):
+    """How many times as fast the nodes that queries open are bounded, by model, in animation."""
+    return [1 / v for v in results.values("batch_speed", operation="bound_opened_nodes", variant="avx512", quantity="time_ratio_to_scalar",
+                                          pose=lambda pose: pose.startswith("halfway through "))]
+
+
+def chain_shares(results):
+    """The longest chain of a ball's operations, as shares of the time of refitting one ball after the other, by model."""
+    return results.values("batch_speed", operation="refit_spherical", variant="scalar", quantity="longest_chain_share")
+
+
 # --- The paper's numbers ---
 
 def numbers(results, root):

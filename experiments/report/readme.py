@@ -33,7 +33,7 @@ def variants_block(results):
     worst = {v: digits(paper_numbers.worst_ratio(results, v)) for v in ("spherical_repaired", "control_mixed", "control_many_pieces")}
     twist = digits(paper_numbers.worst_ratio(results, "control_mixed", "twist"))
     missed = paper_numbers.total(results, "tightness", quantity="missed_balls", variant=paper_numbers.is_sound(results))
-    gains = paper_numbers.batch_gains(results)
+    gains, opened = paper_numbers.batch_gains(results), paper_numbers.opened_gains(results)
     upper, slower = max(paper_numbers.upper_cost_ratios(results, "control_mixed")), span(paper_numbers.query_ratios(results))
     return f"""\
 Measured on six characters with `{command_of(results, "tightness")}` (commit {commit}); {'no ball of a sound variant misses' if missed == 0 else f'{missed:,.0f} balls of sound variants miss'} a vertex. The tightness of a level is the
@@ -43,7 +43,9 @@ any level for `control_mixed`. The cost of a sphere, relative to `spherical_repa
 and {from_to(paper_numbers.cost_ratios(results, 'control_many_pieces'))} for `control_many_pieces`. Where two walking men are near each other, their queries with `spherical_repaired` refit
 {from_to(paper_numbers.fewer_spheres(results))} times as many spheres as with `control_mixed`. But those of `control_mixed` are mostly on the upper levels of the tree, where a sphere costs up to {digits(upper, 2)} times as much. A whole query, far ones too, takes
 {digits(slower.least, 2)} to {digits(slower.most, 2)} times as long as with `spherical_repaired`. In batches of SIMD packs (`algorithms/runtime/batch`), refitting all spheres of a tree by Algorithm 1 repaired costs
-with AVX-512 1/{min(gains):.0f} to 1/{max(gains):.0f} of refitting them one by one, in float in place of double.
+with AVX-512 1/{min(gains):.0f} to 1/{max(gains):.0f} of refitting them one by one, in float in place of double. A ball alone cannot be that fast: the longest chain of its operations, each of which waits
+for the one before, takes {from_to(paper_numbers.chain_shares(results))} of the time. But a query needs no ball alone. The up to 20 nodes into which it opens one are bounded together, by the motion
+bound, at 1/{min(opened):.0f} to 1/{max(opened):.0f} of refitting them one by one.
 """
 
 

@@ -82,5 +82,6 @@ def batch_section(results, page):
         where = {"model": r.model, "pose": r.pose, "operation": r.operation, "variant": r.variant}
         rows.append({**where, "ns": r.value,
                      "ratio": results.number("batch_speed", quantity="time_ratio_to_scalar", **where),
-                     "to_linear": results.number_or_none("batch_speed", quantity="time_ratio_to_linear", **where)})
+                     **{name: results.number_or_none("batch_speed", quantity=quantity, **where)
+                        for name, quantity in (("to_linear", "time_ratio_to_linear"), ("chain", "longest_chain_share"), ("lanes", "lanes_used"))}})
     return {"rows": rows}

@@ -11,8 +11,11 @@
 #include "algorithms/results/result_file.hpp"
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/packed_vertices.hpp"
+#include "algorithms/runtime/collide/cluster_body.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/scenes/animated_character.hpp"
+#include "experiments/speed/latencies.hpp"
+#include "experiments/speed/longest_chain.hpp"
 
 namespace refitlab {
 namespace {
@@ -30,6 +33,7 @@ class BatchExperiment {
       : c_(c),
         pose_(pose),
         settings_(settings),
+        latencies_(measure_latencies({settings.seconds_per_run / 10, settings.repetitions})),
         packed_(c.mesh, c.sets),
         batch_(c.tree, c.sets) {}
 
@@ -37,6 +41,11 @@ class BatchExperiment {
     for (const Kind& kind : kinds) skin(kind);
     for (const Kind& kind : {kinds[0], kinds[1]}) refit(kind);
     compare_refits();
+    bound_opened_nodes(pose_);
+    if (!c_.clips.empty()) {
+      const Clip& clip = c_.clips[0];
+      bound_opened_nodes({"halfway through " + clip.name, clip.sample(clip.duration / 2)});
+    }
     palette();
     return std::move(results_);
   }
@@ -77,6 +86,69 @@ class BatchExperiment {
       timed.push_back({name_of(target), size_of(c_.tree.nodes), [&, target] { benchmark::DoNotOptimize(refit_all(target)[0]); }});
     }
     measure("refit_" + kind.name, "sphere", timed);
+    const double chain = longest_chain(c_.tree, palette, is_linear, latencies_);
+    for (BatchSpeed& r : results_)
+      if (r.what == "refit_" + kind.name) {
+        if (r.how == "scalar") r.chain_share = chain / r.ns;
+        else r.lanes_used = used_lanes();
+      }
+  }
+
+  // Returns the share of lanes that have a weight vertex of their own in a batch.
+  double used_lanes() const {
+    const PackedNodes packed(c_.tree, c_.sets);
+    double used = 0, taken = 0;
+    for (const TreeNode& n : c_.tree.nodes)
+      for (int i = 0; i < n.piece_count; ++i) used += c_.tree.pieces[n.first_piece + i].weight_vertex_count;
+    for (const NodeBlocks& blocks : {packed.nodes(), packed.pieces()})
+      for (const NodeBlock* block = blocks.blocks; block != blocks.blocks + blocks.block_count; ++block)
+        for (int e = 0; e < block->set_count; ++e)
+          taken += Lanes<float>::count * blocks.sets[block->first_set + e].weight_vertex_count;
+    return used / taken;
+  }
+
+  // A query that opens a node bounds a wide node's children at a time, from the joints alone. This does so for all wide nodes, and by
+  // Algorithm 1 repaired for the same children one by one, which are given the frame's palette.
+  void bound_opened_nodes(const NamedPose& pose) {
+    const auto palette = make_skinning_palette(c_.mesh, c_.sets, pose.pose, Skinning::spherical);
+    const ClusterTree tree(c_);
+    ClusterBody body(tree, Skinning::spherical);
+    const RigidTransform<double> placement{identity_quaternion<double>(), Point3::Zero()};
+    std::vector<int> nodes;
+    for (std::size_t w = 0; w < tree.wide_nodes().size(); ++w)
+      for (int i = 0; i < tree.wide_nodes()[w].child_count; ++i) nodes.push_back(tree.child(static_cast<int>(w), i).node);
+    const RefitVariant& variant = compared_variant("spherical_repaired");
+    const auto bound_all = [&] {
+      body.begin(pose.pose, placement);
+      for (std::size_t w = 0; w < tree.wide_nodes().size(); ++w)
+        benchmark::DoNotOptimize(body.wide_node_box(static_cast<int>(w)));
+    };
+    bound_all();
+    const auto deformed = refitlab::skin(c_.mesh, c_.sets, palette, Skinning::spherical);
+    for (std::size_t w = 0; w < tree.wide_nodes().size(); ++w)
+      for (int i = 0; i < tree.wide_nodes()[w].child_count; ++i) {
+        const WideNodeChild& child = tree.child(static_cast<int>(w), i);
+        if (child.cluster >= 0) require_in_box(body, static_cast<int>(w), i, tree.vertices().vertices(child.cluster), deformed);
+        else require_in_box(body, static_cast<int>(w), i, c_.vertices[child.node], deformed);
+      }
+    measure("bound_opened_nodes", "node",
+            {{"scalar", size_of(nodes),
+              [&] {
+                for (const int n : nodes) benchmark::DoNotOptimize(variant.refit(c_.tree.refit_node(n, palette)));
+              }},
+             {name_of(best_target()), size_of(nodes), bound_all}},
+            pose.name);
+  }
+
+  void require_in_box(ClusterBody& body, int wide_node, int i, std::span<const int> vertices,
+                      const std::vector<Point3>& deformed) const {
+    const Box<float> box = get_box(body.wide_node_boxes(wide_node), i);
+    for (const int v : vertices)
+      for (int k = 0; k < 3; ++k)
+        if (!(box.low[k] <= deformed[v][k] && deformed[v][k] <= box.high[k]))
+          fail(
+              "child " + std::to_string(i) + " of wide node " + std::to_string(wide_node) + " misses vertex " + std::to_string(v),
+              name_of(best_target()));
   }
 
   void palette() {
@@ -101,9 +173,12 @@ class BatchExperiment {
   }
 
   void measure(const std::string& what, const std::string& item, const std::vector<Timed>& timed) {
+    measure(what, item, timed, pose_.name);
+  }
+  void measure(const std::string& what, const std::string& item, const std::vector<Timed>& timed, const std::string& pose) {
     const auto times = ns_per_item(timed, settings_);
     for (const Timed& t : timed) {
-      results_.push_back({c_.mesh.name, pose_.name, what, t.name, item, median(times.at(t.name)),
+      results_.push_back({c_.mesh.name, pose, what, t.name, item, median(times.at(t.name)),
                           median_ratio(times.at(t.name), times.at("scalar")), 0});
       const BatchSpeed& r = results_.back();
       std::printf("  %-22s %-9s %8.2f ns per %s, 1/%.1f of scalar\n", what.c_str(), r.how.c_str(), r.ns, item.c_str(),
@@ -132,6 +207,7 @@ class BatchExperiment {
   const AnimatedCharacter& c_;
   const NamedPose& pose_;
   const SpeedSettings settings_;
+  const Latencies latencies_;
   PackedVertices packed_;
   BatchRefit batch_;
   std::vector<BatchSpeed> results_;
@@ -153,6 +229,8 @@ void write_batch_speed(const std::vector<BatchSpeed>& results, const std::string
     add("ns_per_" + r.item, r.ns, "ns");
     add("time_ratio_to_scalar", r.ratio, "1");
     if (r.to_linear > 0) add("time_ratio_to_linear", r.to_linear, "1");
+    if (r.chain_share > 0) add("longest_chain_share", r.chain_share, "1");
+    if (r.lanes_used > 0) add("lanes_used", r.lanes_used, "1");
   }
   file.write(path);
 }
