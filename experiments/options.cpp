@@ -6,6 +6,9 @@
 #include <iostream>
 #include <map>
 
+#include "algorithms/results/result_file.hpp"
+#include "algorithms/runtime/packs/limit_targets.hpp"
+
 namespace refitlab {
 namespace {
 
@@ -53,6 +56,19 @@ void measure_fully(Options& o) {
   o.deformations = {.times_per_clip = 20, .reduced = {.poses = 20}, .speed = {.seconds_per_run = 0.05, .repetitions = 15}};
 }
 
+// Limits all kernels to those of a target of this name.
+void limit_to(const std::string& name) {
+  std::string names;
+  for (const Target target : available_targets()) {
+    if (name == name_of(target)) {
+      limit_targets(target);
+      return Provenance::add_to_cpu(", kernels up to " + name);
+    }
+    names += (names.empty() ? "" : ", ") + std::string(name_of(target));
+  }
+  throw boost::program_options::error("--target " + name + ": this processor runs no such kernels; it runs: " + names);
+}
+
 }  // namespace
 
 bool parse(int argc, char** argv, Options& o) {
@@ -76,7 +92,10 @@ bool parse(int argc, char** argv, Options& o) {
       "variant", po::value(&o.certificate.variant), "of the certificate: the refit variant, control_mixed unless given")(
       "character", po::value(&o.characters)->multitoken(),
       "of the default models those of these names; none is what has nothing to do with a model")(
-      "list-parts", "print each experiment and character that these options ask for, and do nothing else")(
+      "target", po::value(&o.target),
+      "the widest kernels to use, as on an older processor: baseline, avx2 or avx512; unless given, those of this processor. "
+      "Engines "
+      "choose their own")("list-parts", "print each experiment and character that these options ask for, and do nothing else")(
       "check-options", "say whether these options can be run, and do nothing else")(
       "pack-models", "the models for the report's explorer too, in results/models");
   po::variables_map map;
@@ -98,6 +117,7 @@ bool parse(int argc, char** argv, Options& o) {
     if (map.count(name) && !map.count("certificate")) throw po::error(std::string("--") + name + " is for --certificate");
   if (map.count("certificate") && o.certificate.file.empty()) throw po::error("--certificate takes a file to write");
   if (map.count("certificate") && o.files.size() > 1) throw po::error("--certificate is of one --model");
+  if (!o.target.empty()) limit_to(o.target);
   if (map.count("quick") && map.count("full")) throw po::error("--quick and --full exclude each other");
   if (map.count("quick")) measure_quickly(o);
   if (map.count("full")) measure_fully(o);

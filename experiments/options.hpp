@@ -35,6 +35,7 @@ struct Options {
   double picture_size = 0.6;            // as a share of that in the paper, in each direction
   std::vector<std::string> characters;  // of the default models those of these names, or all
   std::string models = "out/models", out = "out";
+  std::string target;  // the widest kernels to use, or none: all that there are
   TightnessSettings tightness{.times_per_clip = 8};
   SpeedSettings speed{.seconds_per_run = 0.01, .repetitions = 3};
   VolumeSettings volumes{.times_per_clip = 3, .nodes_per_level = 32, .speed = speed};

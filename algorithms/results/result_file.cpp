@@ -31,12 +31,15 @@ void append_row(std::ostringstream& out, const std::vector<std::string>& fields)
   out << '\n';
 }
 
-}  // namespace
-
-const Provenance& Provenance::of_this_build() {
-  static const Provenance p{REFITLAB_COMMIT, REFITLAB_DIRTY, REFITLAB_COMPILER, REFITLAB_FLAGS, cpu_name()};
+Provenance& provenance() {
+  static Provenance p{REFITLAB_COMMIT, REFITLAB_DIRTY, REFITLAB_COMPILER, REFITLAB_FLAGS, cpu_name()};
   return p;
 }
+
+}  // namespace
+
+const Provenance& Provenance::of_this_build() { return provenance(); }
+void Provenance::add_to_cpu(const std::string& note) { provenance().cpu += note; }
 
 std::string format_number(double value) {
   const DefaultFloatEnvironment environment;

@@ -14,6 +14,8 @@ namespace refitlab {
 struct Provenance {
   std::string commit, dirty, compiler, flags, cpu;
   static const Provenance& of_this_build();
+  // Says after the processor's name, in all rows that are written from now on, that a run did not use all of it.
+  static void add_to_cpu(const std::string& note);
 };
 
 // Returns the shortest decimal text that reads back as the same double, or "nan", "inf" or "-inf".
