@@ -10,6 +10,8 @@ from .tables import ResultError
 
 NAME = re.compile(r"<!-- measured: (\w+) -->\n")
 COMMIT = re.compile(r"commit\s[0-9a-f]{7,40}\b")
+SCENES = ["far", "near", "light", "heavy"]
+KERNELS_UP_TO = ", kernels up to "  # what experiments --target puts behind the processor's name
 
 
 def from_to(found):
@@ -49,21 +51,38 @@ bound, at 1/{min(opened):.0f} to 1/{max(opened):.0f} of refitting them one by on
 """
 
 
-def queries_block(results):
-    commit = commit_of(results, "collisions", "triangle_growth")
-    scenes = ["far", "near", "light", "heavy"]
-    most = paper_numbers.largest_growth(results)
-    cpu = results.provenance["collisions"]["cpu"]
+def query_rows(results, more=lambda detector: []):
+    """Returns the rows of a table of detectors by scene. more(detector) has the times of further columns."""
     rows = []
     for name, detector in [("`collide(ClusterBody, …)` with a `PairMemory`", "clusters"), ("the same without it", "clusters_without_memory"), ("skin everything in float, boxes bottom-up", "skin_all_float"),
                            ("the same with clusters of 512 triangles in place of 256", "skin_all_float_512"),
                            ("the fastest of Embree, FCL and Bullet, of those that find all pairs", None), ("sphere tree on demand, Algorithm 1 repaired", "spherical_repaired"),
                            ("*floor: told which clusters’ boxes meet*", "floor_of_boxes"), ("*floor: told which clusters touch*", "floor_of_contacts")]:
-        times = [paper_numbers.time_of(results, s, detector) if detector else paper_numbers.fastest_engine(results, s) for s in scenes]
-        times += [paper_numbers.grown(results, most, s, detector or "embree") for s in paper_numbers.GROWN_SCENES]
-        rows.append(f"| {name} | " + " | ".join(digits(t, 3 if t >= 100 else 2).replace("{,}", ",") for t in times) + " |")
-    heads = [s if s in ("far", "near") else f"{s}, {paper_numbers.pairs_of(results, s):.0f} pairs" for s in scenes]
-    heads += [f"{s}, {most:,} triangles each" for s in paper_numbers.GROWN_SCENES]
+        times = [paper_numbers.time_of(results, s, detector) if detector else paper_numbers.fastest_engine(results, s) for s in SCENES]
+        rows.append(f"| {name} | " + " | ".join(digits(t, 3 if t >= 100 else 2).replace("{,}", ",") for t in [*times, *more(detector)]) + " |")
+    return rows
+
+
+def scene_heads(results):
+    return [s if s in ("far", "near") else f"{s}, {paper_numbers.pairs_of(results, s):.0f} pairs" for s in SCENES]
+
+
+def cpu_of(results, target=None):
+    """Returns the processor of the collisions. If a target is given, the run must have been limited to its kernels, else to none."""
+    cpu = results.provenance["collisions"]["cpu"]
+    name, _, limit = cpu.partition(KERNELS_UP_TO)
+    if limit != (target or ""):
+        raise ResultError(f"{results.path('collisions')}: is of {f'kernels up to {limit}' if limit else 'all kernels'}, "
+                          f"not of {f'kernels up to {target}' if target else 'all of them'}")
+    return name
+
+
+def queries_block(results):
+    commit = commit_of(results, "collisions", "triangle_growth")
+    most = paper_numbers.largest_growth(results)
+    cpu = cpu_of(results)
+    rows = query_rows(results, lambda detector: [paper_numbers.grown(results, most, s, detector or "embree") for s in paper_numbers.GROWN_SCENES])
+    heads = scene_heads(results) + [f"{s}, {most:,} triangles each" for s in paper_numbers.GROWN_SCENES]
     ceilings = {scene: digits(paper_numbers.gain_without(results, scene, "skin_all_float"), 3) for scene in ("light", "heavy")}
     return f"""\
 The table gives the microseconds a frame, from pose to pairs, to find all touching pairs of two walking men of 8270 triangles each
@@ -79,6 +98,18 @@ triangles, which all of these must do. If the third row needed no time at
 all for skinning and bounds, it would be {ceilings['light']} times as fast in *light*, and {ceilings['heavy']} times in *heavy*. In *far* any method is as fast behind a box
 around the whole character, such as our motion bound: the third row then takes {digits(paper_numbers.time_of(results, 'far', 'skin_all_float_bounded'), 2)} microseconds.
 """
+
+
+def queries_avx2_block(results):
+    commit, cpu = commit_of(results, "collisions"), cpu_of(results, "avx2")
+    heads = scene_heads(results)
+    return f"""\
+The same men and scenes without kernels wider than those of AVX2, as on processors without AVX-512 (`{command_of(results, "collisions")} --only collisions --target avx2`; commit {commit}, {cpu}).
+Embree chooses its own instructions.
+
+| | {' | '.join(heads)} |
+|---|{'---|' * len(heads)}
+""" + "\n".join(query_rows(results)) + "\n"
 
 
 def over_time_block(results):
@@ -147,7 +178,8 @@ The default refits cost {from_to(deformations.cost_ratios(results))} times as mu
 """
 
 
-BLOCKS = {"variants": variants_block, "over_time": over_time_block, "queries": queries_block, "engines": engines_block, "deformations": deformations_block}
+BLOCKS = {"variants": variants_block, "over_time": over_time_block, "queries": queries_block, "queries_avx2": queries_avx2_block, "engines": engines_block, "deformations": deformations_block}
+OF_LIMITED_KERNELS = {"queries_avx2"}  # which a run of its own measures
 
 
 def blocks(text, path):
@@ -163,11 +195,11 @@ def blocks(text, path):
 
 
 def renewed(text, results, path, names=()):
-    """The README with its blocks from these results; with names, only those blocks."""
+    """The README with its blocks from these results; with names, only those blocks, else all but those of limited kernels."""
     blocks(text, path)
     for name in names:
         if name not in BLOCKS:
             raise ResultError(f"{path}: has no block {name}; there are: {', '.join(BLOCKS)}")
-    for name in names or BLOCKS:
+    for name in names or [name for name in BLOCKS if name not in OF_LIMITED_KERNELS]:
         text = replaced(text, path, f"measured: {name}", BLOCKS[name](results))
     return text
