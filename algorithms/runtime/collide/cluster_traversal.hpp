@@ -28,7 +28,7 @@ class ClusterTraversal {
   // where boxes reach deepest into each other.
   std::vector<TrianglePair> run() {
     const Hits tops(*this, first_, 0, pairs_.moved(second_.wide_node_box(0)));
-    for (std::size_t i = 0; i < tops.count() && !pairs_.is_done(); ++i) below_second(tops[i], 0);
+    for (std::size_t i = 0; i < tops.count() && !pairs_.is_done(); ++i) below_second(tops[i], box_at(first_, tops[i]), 0);
     if (!pairs_.is_done()) pairs_.decide();
     return std::move(pairs_.found());
   }
@@ -75,20 +75,21 @@ class ClusterTraversal {
   // Returns the box at a place as it is now, seen from the body's own origin. It may have been larger when the place was listed.
   static Box<float> box_at(Body& body, ChildPlace at) { return get_box(body.wide_node_boxes(at.wide_node), at.child); }
 
-  // Compares one node of the first body with those in a wide node of the second, and the other way round.
-  void below_second(ChildPlace a, int wide_node) {
-    const Hits hits(*this, second_, wide_node, pairs_.moved_back(box_at(first_, a)));
+  // Compares one node of the first body with those in a wide node of the second, and the other way round. box_a is the node's own,
+  // and moved_b that of the second body's as seen from the first one's origin.
+  void below_second(ChildPlace a, const Box<float>& box_a, int wide_node) {
+    const Hits hits(*this, second_, wide_node, pairs_.moved_back(box_a));
     for (std::size_t i = 0; i < hits.count() && !pairs_.is_done(); ++i) nodes(a, hits[i]);
   }
-  void below_first(int wide_node, ChildPlace b) {
-    const Hits hits(*this, first_, wide_node, pairs_.moved(box_at(second_, b)));
+  void below_first(int wide_node, ChildPlace b, const Box<float>& moved_b) {
+    const Hits hits(*this, first_, wide_node, moved_b);
     for (std::size_t i = 0; i < hits.count() && !pairs_.is_done(); ++i) nodes(hits[i], b);
   }
 
   // Compares two nodes whose boxes met when they were listed, and opens the larger one.
   void nodes(ChildPlace at_a, ChildPlace at_b) {
-    const Box<float> box_a = box_at(first_, at_a), box_b = box_at(second_, at_b);
-    if (are_apart(box_a, pairs_.moved(box_b))) return;  // by now
+    const Box<float> box_a = box_at(first_, at_a), box_b = box_at(second_, at_b), moved_b = pairs_.moved(box_b);
+    if (are_apart(box_a, moved_b)) return;  // by now
     const WideNodeChild& a = first_.tree().child(at_a);
     const WideNodeChild& b = second_.tree().child(at_b);
     if (a.wide_node < 0 && b.wide_node < 0) {
@@ -96,8 +97,8 @@ class ClusterTraversal {
       first_.tighten(a.cluster), second_.tighten(b.cluster);
       return;
     }
-    if (b.wide_node < 0 || (a.wide_node >= 0 && box_a.extent() >= box_b.extent())) below_first(a.wide_node, at_b);
-    else below_second(at_a, b.wide_node);
+    if (b.wide_node < 0 || (a.wide_node >= 0 && box_a.extent() >= box_b.extent())) below_first(a.wide_node, at_b, moved_b);
+    else below_second(at_a, box_a, b.wide_node);
   }
 
   Body &first_, &second_;
