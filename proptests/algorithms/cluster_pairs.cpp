@@ -10,9 +10,11 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/collide/triangles_meet.hpp"
+#include "algorithms/runtime/packs/common_bit.hpp"
 #include "algorithms/runtime/packs/look_up.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/any_place.hpp"
+#include "proptests/gen/guarded_bytes.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/gen/wide_models.hpp"
@@ -188,7 +190,9 @@ void check_candidates(const DrawnTriangles& drawn, Target target) {
   const ClusterPairKernels& kernels = cluster_pair_kernels(target);
   Candidates scratch;
   scratch.reserve(drawn.count, drawn.places);
-  const CandidateArrays out = scratch.arrays();
+  gen::GuardedBytes outcodes(byte_table_size(drawn.places));
+  CandidateArrays out = scratch.arrays();
+  out.outcodes = outcodes.data();
   const int found = kernels.cull(drawn.triangles(), drawn.xyz(), drawn.places, drawn.box, out);
   RC_ASSERT(std::vector<int>(out.triangle, out.triangle + found) == drawn.expected);
   if (found == 0) return;

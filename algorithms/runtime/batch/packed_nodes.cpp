@@ -12,7 +12,7 @@ namespace {
 
 constexpr int lanes = Lanes<float>::count;
 
-// A weight vertex of a node that is taken apart takes as long as this many of a node that is refitted whole, as measured.
+// A weight vertex of a node that is taken apart takes as long as this many lanes do where nodes are refitted whole, as measured.
 constexpr double cost_apart = 2.5;
 
 std::span<const NodePiece> pieces_of(const SphereTree& tree, const TreeNode& node) {
