@@ -92,10 +92,9 @@ bool parse(int argc, char** argv, Options& o) {
       "variant", po::value(&o.certificate.variant), "of the certificate: the refit variant, control_mixed unless given")(
       "character", po::value(&o.characters)->multitoken(),
       "of the default models those of these names; none is what has nothing to do with a model")(
-      "target", po::value(&o.target),
-      "the widest kernels to use, as on an older processor: baseline, avx2 or avx512; unless given, those of this processor. "
-      "Engines "
-      "choose their own")("list-parts", "print each experiment and character that these options ask for, and do nothing else")(
+      "target", po::value<std::string>(),
+      "the widest kernels to use, as on an older processor (baseline, avx2 or avx512), but for engines'")(
+      "list-parts", "print each experiment and character that these options ask for, and do nothing else")(
       "check-options", "say whether these options can be run, and do nothing else")(
       "pack-models", "the models for the report's explorer too, in results/models");
   po::variables_map map;
@@ -117,13 +116,13 @@ bool parse(int argc, char** argv, Options& o) {
     if (map.count(name) && !map.count("certificate")) throw po::error(std::string("--") + name + " is for --certificate");
   if (map.count("certificate") && o.certificate.file.empty()) throw po::error("--certificate takes a file to write");
   if (map.count("certificate") && o.files.size() > 1) throw po::error("--certificate is of one --model");
-  if (!o.target.empty()) limit_to(o.target);
   if (map.count("quick") && map.count("full")) throw po::error("--quick and --full exclude each other");
   if (map.count("quick")) measure_quickly(o);
   if (map.count("full")) measure_fully(o);
   for (const auto& name : o.only)
     if (std::find(experiments.begin(), experiments.end(), name) == experiments.end())
       throw po::error("--only " + name + ": no such experiment; there are: " + names);
+  if (map.count("target")) limit_to(map["target"].as<std::string>());
   return true;
 }
 

@@ -35,7 +35,6 @@ struct Options {
   double picture_size = 0.6;            // as a share of that in the paper, in each direction
   std::vector<std::string> characters;  // of the default models those of these names, or all
   std::string models = "out/models", out = "out";
-  std::string target;  // the widest kernels to use, or none: all that there are
   TightnessSettings tightness{.times_per_clip = 8};
   SpeedSettings speed{.seconds_per_run = 0.01, .repetitions = 3};
   VolumeSettings volumes{.times_per_clip = 3, .nodes_per_level = 32, .speed = speed};
@@ -63,8 +62,8 @@ struct Options {
   bool wants_no_character() const { return wants_character(no_character) && (files.empty() || !only.empty()); }
 };
 
-// Returns false if only help was asked for. Throws what boost::program_options throws for options that it does not know, and for
-// some that exclude each other.
+// Returns false if only help was asked for. With --target, all kernels are limited from then on. Throws what boost::program_options
+// throws for options that it does not know, and for some that exclude each other.
 bool parse(int argc, char** argv, Options& options);
 
 }  // namespace refitlab

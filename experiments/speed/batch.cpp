@@ -86,11 +86,11 @@ class BatchExperiment {
       timed.push_back({name_of(target), size_of(c_.tree.nodes), [&, target] { benchmark::DoNotOptimize(refit_all(target)[0]); }});
     }
     measure("refit_" + kind.name, "sphere", timed);
-    const double chain = longest_chain(c_.tree, palette, is_linear, latencies_);
+    const double chain = longest_chain(c_.tree, palette, is_linear, latencies_), lanes_used = used_lanes();
     for (BatchSpeed& r : results_)
       if (r.what == "refit_" + kind.name) {
         if (r.how == "scalar") r.chain_share = chain / r.ns;
-        else r.lanes_used = used_lanes();
+        else r.lanes_used = lanes_used;
       }
   }
 
@@ -114,22 +114,21 @@ class BatchExperiment {
     const ClusterTree tree(c_);
     ClusterBody body(tree, Skinning::spherical);
     const RigidTransform<double> placement{identity_quaternion<double>(), Point3::Zero()};
-    std::vector<int> nodes;
-    for (std::size_t w = 0; w < tree.wide_nodes().size(); ++w)
-      for (int i = 0; i < tree.wide_nodes()[w].child_count; ++i) nodes.push_back(tree.child(static_cast<int>(w), i).node);
+    const int wide_nodes = size_of(tree.wide_nodes());
     const RefitVariant& variant = compared_variant("spherical_repaired");
     const auto bound_all = [&] {
       body.begin(pose.pose, placement);
-      for (std::size_t w = 0; w < tree.wide_nodes().size(); ++w)
-        benchmark::DoNotOptimize(body.wide_node_box(static_cast<int>(w)));
+      for (int w = 0; w < wide_nodes; ++w) benchmark::DoNotOptimize(body.wide_node_box(w));
     };
     bound_all();
     const auto deformed = refitlab::skin(c_.mesh, c_.sets, palette, Skinning::spherical);
-    for (std::size_t w = 0; w < tree.wide_nodes().size(); ++w)
+    std::vector<int> nodes;
+    for (int w = 0; w < wide_nodes; ++w)
       for (int i = 0; i < tree.wide_nodes()[w].child_count; ++i) {
-        const WideNodeChild& child = tree.child(static_cast<int>(w), i);
-        if (child.cluster >= 0) require_in_box(body, static_cast<int>(w), i, tree.vertices().vertices(child.cluster), deformed);
-        else require_in_box(body, static_cast<int>(w), i, c_.vertices[child.node], deformed);
+        const WideNodeChild& child = tree.child(w, i);
+        nodes.push_back(child.node);
+        if (child.cluster >= 0) require_in_box(body, w, i, tree.vertices().vertices(child.cluster), deformed);
+        else require_in_box(body, w, i, c_.vertices[child.node], deformed);
       }
     measure("bound_opened_nodes", "node",
             {{"scalar", size_of(nodes),
