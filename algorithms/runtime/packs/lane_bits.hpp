@@ -2,6 +2,7 @@
 // A mask of lanes becomes bits, so that one can go through its lanes one by one, or keep what they have.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #ifdef __AVX2__
@@ -11,6 +12,27 @@
 #include "algorithms/runtime/packs/pack.hpp"
 
 namespace refitlab {
+
+#if defined(__AVX2__) && !defined(__AVX512F__)
+namespace avx2 {
+
+// For each set of eight lanes, this has the numbers of those in it, a byte each, the first lowest. A table is as fast as pdep and pext
+// where these are fast, and they take hundreds of cycles on AMD's processors before Zen 3.
+inline constexpr std::array<std::uint64_t, 256> numbers_of_lanes = [] {
+  std::array<std::uint64_t, 256> numbers{};
+  for (std::uint32_t bits = 0; bits < 256; ++bits)
+    for (std::uint32_t rest = bits, at = 0; rest; rest &= rest - 1, at += 8)
+      numbers[bits] |= static_cast<std::uint64_t>(std::countr_zero(rest)) << at;
+  return numbers;
+}();
+
+// Returns the numbers of the lanes whose bits are set, of eight lanes, in the lowest lanes.
+[[gnu::always_inline]] inline __m256i set_lanes(std::uint32_t bits) {
+  return _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<std::int64_t>(numbers_of_lanes[bits])));
+}
+
+}  // namespace avx2
+#endif
 
 // Returns the bits for a pack of floats: bit i says whether the mask holds in lane i, the first lane lowest. The other bits are
 // 0.
@@ -27,14 +49,6 @@ namespace refitlab {
 #endif
 }
 
-#if defined(__AVX2__) && !defined(__AVX512F__)
-// Returns the numbers of the lanes whose bits are set, of eight lanes, in the lowest lanes.
-[[gnu::always_inline]] inline __m256i set_lanes(std::uint32_t bits) {
-  const std::uint64_t bytes = _pdep_u64(bits, 0x0101010101010101) * 0xff;
-  return _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<std::int64_t>(_pext_u64(0x0706050403020100, bytes))));
-}
-#endif
-
 // Writes the numbers of the lanes whose bits are set, of a pack of floats, counted from first on. Returns how many these are. out
 // has room for all lanes, and what is behind those may be overwritten.
 [[gnu::always_inline]] inline int write_lanes(std::uint32_t bits, std::int32_t first, std::int32_t* out) {
@@ -45,7 +59,7 @@ namespace refitlab {
   _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), all));
   return std::popcount(bits);
 #elif defined(__AVX2__)
-  const __m256i lanes = _mm256_add_epi32(_mm256_set1_epi32(first), set_lanes(bits));
+  const __m256i lanes = _mm256_add_epi32(_mm256_set1_epi32(first), avx2::set_lanes(bits));
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), lanes);
   return std::popcount(bits);
 #else
@@ -64,7 +78,7 @@ template <class T>
   return std::popcount(bits);
 #elif defined(__AVX2__)
   const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(pack));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permutevar8x32_epi32(all, set_lanes(bits)));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permutevar8x32_epi32(all, avx2::set_lanes(bits)));
   return std::popcount(bits);
 #else
   int count = 0;
