@@ -83,11 +83,9 @@ template <int volume_numbers, bool is_grown, class Add>
   for (int i = 0; i < 3; ++i) out[i] = low[i], out[3 + i] = high[i];
 }
 
-REFITLAB_KERNEL void make_matrices(const double* pose, int joint_count, float* scratch, int blocks, float* matrices) {
-  const Joints<false> joints{scratch, joint_count, blocks * block_lanes};
-  joints.read(pose);
+REFITLAB_KERNEL void make_matrices(const double* pose, int joint_count, int blocks, float* matrices) {
   for (int first = 0; first < blocks * block_lanes; first += width) {
-    const Transform joint = joints.lanes(first);
+    const Transform joint = joints_of_pose(pose, joint_count, first);
     const std::array<Point, 3> rows = rotation_rows(joint.rotation);
     float* to = matrices + first / block_lanes * matrix_numbers * block_lanes + first % block_lanes;
     const auto put = [&](const S& number) { number.copy_to(to, std::experimental::vector_aligned), to += block_lanes; };

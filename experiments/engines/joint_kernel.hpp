@@ -18,8 +18,8 @@ inline constexpr int matrix_numbers = 12, box_numbers = 6, rounded_box_numbers =
 inline constexpr float extent_of_nothing = -1e30f;
 
 struct JointKernels {
-  // pose has a quaternion, a translation and an unused number by joint. scratch has pose_numbers by joint.
-  void (*matrices)(const double* pose, int joint_count, float* scratch, int blocks, float* matrices);
+  // pose has a quaternion, a translation and an unused number by joint.
+  void (*matrices)(const double* pose, int joint_count, int blocks, float* matrices);
   // out gets the least x, y, z, then the greatest.
   void (*boxes)(const float* matrices, const float* boxes, int blocks, float* out);
   // These are grown along each axis by lost times the greatest absolute value of what comes out.

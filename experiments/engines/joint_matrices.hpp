@@ -38,21 +38,18 @@ class JointNumbers {
 class JointMatrices {
  public:
   // The poses have so many joints, at least one.
-  explicit JointMatrices(std::size_t joints)
-      : joints_(static_cast<int>(joints)),
-        scratch_(pose_numbers, joints),
-        matrices_(matrix_numbers, joints) {}
+  explicit JointMatrices(std::size_t joints) : joints_(static_cast<int>(joints)), matrices_(matrix_numbers, joints) {}
 
   void set(const Pose& pose, Target target = best_target()) {
     static_assert(sizeof(pose[0]) == pose_numbers * sizeof(double));
     const DefaultFloatEnvironment environment;
-    joint_kernels(target).matrices(pose[0].rotation.data(), joints_, scratch_.data(), scratch_.blocks(), matrices_.data());
+    joint_kernels(target).matrices(pose[0].rotation.data(), joints_, matrices_.blocks(), matrices_.data());
   }
   const float* data() const { return matrices_.data(); }
 
  private:
   int joints_;
-  JointNumbers scratch_, matrices_;
+  JointNumbers matrices_;
 };
 
 inline Box<float> box_of_numbers(const float (&numbers)[6]) {

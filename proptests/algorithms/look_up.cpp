@@ -3,7 +3,9 @@
 // joint that only moves are boxed where the table says the joint is.
 #include "algorithms/runtime/packs/look_up.hpp"
 
+#include <algorithm>
 #include <random>
+#include <vector>
 
 #include "algorithms/runtime/collide/motion_bound_piece_kernel.hpp"
 #include "algorithms/runtime/packs/lanes.hpp"
@@ -19,11 +21,12 @@ int misplaced(const std::int32_t (&joint)[motion_bound_lanes], int count, Target
   const int room = look_up_size(count);
   std::vector<Lanes<float>> numbers(8 * room / Lanes<float>::count);
   float* table = numbers.data()->lane.data();
-  for (int j = 0; j < room; ++j) {
-    table[j] = 1;  // the rotations stay
-    // Nothing behind the joints is to be looked up.
-    for (int i = 4; i < 7; ++i) table[i * room + j] = j < count ? 1 + j : -99;
-  }
+  std::fill_n(table, 8 * room, -99.f);  // nothing behind the joints is to be looked up
+  std::vector<double> pose;
+  for (int j = 0; j < count; ++j) pose.insert(pose.end(), {1, 0, 0, 0, 1. + j, 1. + j, 1. + j, 0});
+  const double rotation[] = {1, 0, 0, 0};
+  MotionBoundBox none;
+  motion_bound_kernels(target).bound(pose.data(), count, rotation, nullptr, 0, false, table, room, none, nullptr);
   MotionBoundPiecePack piece{};
   MotionBoundPack& pack = piece.ball;
   FlippedBox boxes[motion_bound_lanes];
@@ -33,7 +36,7 @@ int misplaced(const std::int32_t (&joint)[motion_bound_lanes], int count, Target
     pack.target[lane] = lane;
     boxes[lane].set_all(std::numeric_limits<float>::infinity());
   }
-  pack.slot_count = 1;
+  for (auto& slots : pack.slot_count) slots = 1;
   if (!bound_motion_pieces(target)(table, count, room, &piece, 1, false, 0, boxes)) return motion_bound_lanes;
   int wrong = 0;
   for (int lane = 0; lane < motion_bound_lanes; ++lane)

@@ -34,7 +34,7 @@ struct Columns {
 void to_rows(const Columns& columns, double* rows) {
   const double* from[8];
   for (int i = 0; i < 8; ++i) from[i] = columns.of[i];
-  transpose<double>(from, rows, 8);
+  transpose(from, rows, 8);
 }
 
 // Gathers the record that of_lane(lane) points to into each lane.
@@ -42,7 +42,7 @@ template <class OfLane>
 void gather(const OfLane& of_lane, Columns& out) {
   const double* rows[8];
   for (int lane = 0; lane < 8; ++lane) rows[lane] = of_lane(lane);
-  transpose<double>(rows, out.of[0], palette_lanes);
+  transpose(rows, out.of[0], palette_lanes);
 }
 
 // PackLanes has the sources of a pack, and the joints of its lanes as they are posed.
@@ -86,7 +86,7 @@ void run_joints(const PaletteSource* sources, const PalettePack& pack, bool are_
   Columns centers, images[N];  // images: C_j r_c, an unused one, then the dual part
   for (int j = 0; j < N; ++j) images[j].clear(3);
   for (int i = 3; i < 8; ++i) centers.clear(i);
-  for (int first = 0; first < palette_lanes; first += width) {
+  for (int first = 0; first < pack.count; first += width) {
     const JointLanes<N> lanes(of_pack, first, are_centers_fixed);
     centers.store(0, first, lanes.center);
     for (int j = 0; j < N; ++j) {
@@ -97,14 +97,14 @@ void run_joints(const PaletteSource* sources, const PalettePack& pack, bool are_
   }
   alignas(64) double rows[palette_lanes][8];
   to_rows(centers, rows[0]);
-  for (int lane = 0; lane < palette_lanes; ++lane)
+  for (int lane = 0; lane < pack.count; ++lane)
     std::memcpy(out.rotation_centers + 3 * pack.set[lane], rows[lane], 3 * sizeof(double));
   for (int j = 0; j < N; ++j) {
     to_rows(of_pack.posed[j], rows[0]);
-    for (int lane = 0; lane < palette_lanes; ++lane)
+    for (int lane = 0; lane < pack.count; ++lane)
       std::memcpy(out.transforms + 8 * (sources[pack.set[lane]].first_slot + j), rows[lane], 8 * sizeof(double));
     to_rows(images[j], rows[0]);
-    for (int lane = 0; lane < palette_lanes; ++lane) {
+    for (int lane = 0; lane < pack.count; ++lane) {
       const int slot = sources[pack.set[lane]].first_slot + j;
       std::memcpy(out.center_images + 3 * slot, rows[lane], 3 * sizeof(double));
       std::memcpy(out.duals + 4 * slot, rows[lane] + 4, 4 * sizeof(double));
@@ -124,13 +124,8 @@ REFITLAB_KERNEL void run(const PaletteSource* sources, const PalettePack& pack, 
 
 // Writes the records as floats, with a row of eight for each lane.
 void to_float_rows(const Columns& columns, float (*rows)[8]) {
-  Row<float, 8> floats[8];
-  for (int i = 0; i < 8; ++i) {
-    Row<double, 8> column;
-    read_row(columns.of[i], column);
-    floats[i] = __builtin_convertvector(column, decltype(floats[i] + floats[i]));
-  }
-  transpose<float>(floats, rows[0], 8);
+  const auto read = [&](int column, int lane, Row<float, 4>& four) { read_floats(columns.of[column] + lane, four); };
+  transpose_records<8>(read, rows[0], 8);
 }
 
 // Returns the slack of float_palette.hpp. offset is r, and squared_image is T^2.
@@ -159,7 +154,7 @@ void run_float_joints(const PaletteSource* sources, const PalettePack& pack, boo
   for (int i = 4; i < 8; ++i) centers.clear(i);
   Columns rest;  // of one joint: the last row of the matrix
   for (int i = 4; i < 8; ++i) rest.clear(i);
-  for (int first = 0; first < palette_lanes; first += width) {
+  for (int first = 0; first < pack.count; first += width) {
     const JointLanes<N> lanes(of_pack, first, are_centers_fixed);
     const Vec<S, 3> offset = lanes.center - of_pack.middle(first);
     RigidTransform<S> of_first;  // q_0 and c_0
@@ -197,17 +192,17 @@ void run_float_joints(const PaletteSource* sources, const PalettePack& pack, boo
   }
   alignas(64) float rows[palette_lanes][8];
   to_float_rows(centers, rows);
-  for (int lane = 0; lane < palette_lanes; ++lane) std::memcpy(out[pack.set[lane]].center, rows[lane], 4 * sizeof(float));
+  for (int lane = 0; lane < pack.count; ++lane) std::memcpy(out[pack.set[lane]].center, rows[lane], 4 * sizeof(float));
   for (int j = 0; j < N; ++j) {
     to_float_rows(placed[j], rows);
-    for (int lane = 0; lane < palette_lanes; ++lane) {
+    for (int lane = 0; lane < pack.count; ++lane) {
       FloatPaletteEntry& entry = out[pack.set[lane]];
       std::memcpy(N == 1 ? entry.more[0] : j == 0 ? entry.first : entry.more[j - 1], rows[lane], sizeof rows[lane]);
     }
   }
   if constexpr (N == 1) {
     to_float_rows(rest, rows);
-    for (int lane = 0; lane < palette_lanes; ++lane) std::memcpy(out[pack.set[lane]].more[1], rows[lane], sizeof rows[lane]);
+    for (int lane = 0; lane < pack.count; ++lane) std::memcpy(out[pack.set[lane]].more[1], rows[lane], sizeof rows[lane]);
   }
 }
 

@@ -21,9 +21,10 @@ struct alignas(64) PaletteSource {
   std::int32_t first_slot;                               // where its joints' data go
 };
 
-// A PalettePack has the joint-sets of its lanes. Lanes beyond the last joint-set repeat it.
+// A PalettePack has the joint-sets of its lanes. Lanes beyond the last joint-set repeat it, and nothing is written for them.
 struct PalettePack {
   std::int32_t set[palette_lanes];
+  int count;  // of joint-sets
 };
 
 // PaletteNumbers has the arrays of a SkinningPalette as numbers.

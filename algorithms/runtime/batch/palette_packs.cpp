@@ -13,7 +13,7 @@ namespace {
 
 // Returns the pack of at most palette_lanes joint-sets.
 PalettePack pack_of(std::span<const int> joint_sets) {
-  PalettePack out;
+  PalettePack out{{}, static_cast<int>(joint_sets.size())};
   for (std::size_t lane = 0; lane < palette_lanes; ++lane) out.set[lane] = joint_sets[std::min(lane, joint_sets.size() - 1)];
   return out;
 }

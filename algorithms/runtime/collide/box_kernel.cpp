@@ -31,13 +31,12 @@ REFITLAB_KERNEL bool put_grown(const FlippedBox* boxes, int count, double lost, 
   merged = merged - off;
   for (int i = 0; i < 3; ++i) whole.low[i] = merged[i], whole.high[i] = -merged[4 + i];
   for (int first = 0; first < count; first += 8) {
-    Row<float, 8> rows[8];
-    for (int i = 0; i < 8; ++i) {  // places behind the last box repeat it
-      read_row(boxes[first + i < count ? first + i : count - 1].of, rows[i]);
-      rows[i] = rows[i] - off;
-    }
+    const auto read = [&](int i, int side, Row<float, 4>& four) {  // places behind the last box repeat it
+      read_row(boxes[first + i < count ? first + i : count - 1].of + side, four);
+      four = four - off;
+    };
     alignas(64) float sides[8][8];
-    transpose<float>(rows, sides[0], 8);
+    transpose_records<8>(read, sides[0], 8);
     for (int i = 0; i < 3; ++i) {
       read_row(sides[i], row);
       write_row(row, blocks[first / 8].side[i]);

@@ -69,16 +69,8 @@ class BoxKernel {
   };
   Records gather(const float* from, const std::int32_t* index) const {
     Records out;
-    const float* rows[8];
-    for (int block = 0; block < width; block += 8) {  // a pack of four lanes uses half of what is fetched
-      for (int i = 0; i < 8; ++i) rows[i] = from + 8 * index[first + block + (i < width ? i : 0)];
-      if constexpr (width >= 8) {
-        transpose<float>(rows, out.of[0] + block, width);
-      } else {
-        for (int i = 0; i < 8; ++i)
-          for (int lane = 0; lane < width; ++lane) out.of[i][lane] = rows[lane][i];
-      }
-    }
+    const auto read = [&](int lane, int i, Row<float, 4>& four) { read_row(from + 8 * index[first + lane] + i, four); };
+    transpose_records<width>(read, out.of[0], width);
     return out;
   }
   Records slot(int joint) const { return gather(slots, pack.slot[joint]); }

@@ -29,9 +29,8 @@ template <class Pack>
   for (const int unused : {3, 7}) Pack(0.f).copy_to(sides[unused], std::experimental::vector_aligned);
   if constexpr (width >= 8) {
     for (int block = 0; block < width; block += 8) {
-      const float* from[8];
-      for (int i = 0; i < 8; ++i) from[i] = sides[i] + block;
-      transpose<float>(from, rows + 8 * block, 8);
+      const auto read = [&](int side, int lane, Row<float, 4>& four) { read_row(sides[side] + block + lane, four); };
+      transpose_records<8>(read, rows + 8 * block, 8);
     }
   } else {
     for (int i = 0; i < 8 * width; ++i) rows[i] = sides[i % 8][i / 8];

@@ -15,11 +15,11 @@ struct Bounds {
 
 // Turns all joints by the placement.
 template <bool few>
-void place(const Joints<few>& joints, const double* rotation, Bounds& bounds) {
+void place(const Joints<few>& joints, const double* pose, const double* rotation, Bounds& bounds) {
   Transform placement;
   for (int i = 0; i < 4; ++i) placement.rotation[i] = S(static_cast<float>(rotation[i]));
   for (int first = 0; first < joints.count; first += width) {
-    const Transform joint = joints.lanes(first);
+    const Transform joint = joints_of_pose(pose, joints.count, first);
     const S off = abs(squared_norm(joint.rotation) - S(1)), squared = squared_norm(joint.translation);
     bounds.low[3] = min_of(bounds.low[3], choose(squared < S(1e30f), S(-squared), S(-infinity)));
     bounds.high[3] = max_of(bounds.high[3], choose(off <= S(1), off, S(1)));
@@ -57,7 +57,7 @@ template <bool deviates, bool few>
 void add_all(const Joints<few>& joints, const MotionBoundPack* packs, int pack_count, std::uint32_t* unbounded, Bounds& bounds) {
   for (int p = 0; p < pack_count; ++p) {
     unbounded[p] = 0;
-    for (int first = 0; first < motion_bound_lanes; first += width) {
+    for (int first = 0; first < motion_bound_lanes && packs[p].slots_from(first) > 0; first += width) {
       const auto merge = [&](const Box<S>& box, const typename S::mask_type& is_unbounded) {
         for (int i = 0; i < 3; ++i) {
           bounds.low[i] = min_of(bounds.low[i], box.low[i]);
@@ -67,7 +67,7 @@ void add_all(const Joints<few>& joints, const MotionBoundPack* packs, int pack_c
           for (int lane = 0; lane < width; ++lane)
             unbounded[p] |= static_cast<std::uint32_t>(is_unbounded[lane]) << (first + lane);
       };
-      if (packs[p].slot_count <= 4) bound_lanes<4, deviates>(packs[p], first, joints, error_share(1e-6), merge);
+      if (packs[p].slots_from(first) <= 4) bound_lanes<4, deviates>(packs[p], first, joints, error_share(1e-6), merge);
       else bound_lanes<most_motion_bound_joints, deviates>(packs[p], first, joints, error_share(1e-6), merge);
     }
   }
@@ -99,9 +99,8 @@ void fold(const S (&rows)[4], float* out) {
 template <bool few>
 void bound(const double* pose, const double* rotation, const MotionBoundPack* packs, int pack_count, bool deviates,
            const Joints<few>& joints, MotionBoundBox& out, std::uint32_t* unbounded) {
-  joints.read(pose);
   Bounds bounds;
-  place(joints, rotation, bounds);
+  place(joints, pose, rotation, bounds);
   if (deviates) add_all<true>(joints, packs, pack_count, unbounded, bounds);
   else add_all<false>(joints, packs, pack_count, unbounded, bounds);
   fold<true>(bounds.low, out.low);

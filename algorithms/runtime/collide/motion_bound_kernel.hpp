@@ -39,7 +39,10 @@ struct MotionBoundPack {
   alignas(64) float unsolved[motion_bound_lanes];   // what A may lack, see motion_bound_packs.cpp
   alignas(64) float joint_count[motion_bound_lanes];
   std::int32_t target[motion_bound_lanes];  // the group, or the box it belongs to
-  int slot_count;                           // the most joints of any lane
+  // For each four lanes, this has the most joints of any group in them and behind, or 0 if there is no group.
+  std::int32_t slot_count[motion_bound_lanes / 4];
+
+  int slots_from(int lane) const { return slot_count[lane / 4]; }
 };
 
 struct MotionBoundBox {
@@ -50,9 +53,9 @@ struct MotionBoundBox {
 
 struct MotionBoundKernels {
   // Makes the bounds of all packs. pose has a quaternion, a translation and an unused number for each joint. rotation is
-  // the placement's. numbers has room for eight numbers a joint, joint_stride apart (a multiple of 32, not less than the
-  // number of joints). unbounded has, for each pack, a bit for each lane without a known bound, the first lowest. deviates
-  // says whether blends deviate from linear ones.
+  // the placement's. numbers has room for eight numbers of each of joint_stride joints (a multiple of 32, not less than the
+  // number of joints), in an order of the kernels' own. unbounded has, for each pack, a bit for each lane without a known bound,
+  // the first lowest. deviates says whether blends deviate from linear ones.
   void (*bound)(const double* pose, int joint_count, const double* rotation, const MotionBoundPack* packs, int pack_count,
                 bool deviates, float* numbers, int joint_stride, MotionBoundBox& out, std::uint32_t* unbounded);
 };

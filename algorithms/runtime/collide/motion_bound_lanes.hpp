@@ -26,52 +26,69 @@ constexpr float positive = 1e-5f;
 
 S load(const float* lanes) { return S(lanes, std::experimental::vector_aligned); }
 
-// Number i of all joints is at numbers + i * stride(). few says that there are at most 32 joints.
+// Returns the transforms of records of eight floats, as transpose_records reads them.
+template <class Read>
+[[gnu::always_inline]] inline Transform of_records(const Read& read) {
+  alignas(64) float lanes[8][width];
+  transpose_records<width>(read, lanes[0], width);
+  Transform out;
+  for (int i = 0; i < 4; ++i) out.rotation[i] = load(lanes[i]);
+  for (int i = 0; i < 3; ++i) out.translation[i] = load(lanes[4 + i]);
+  return out;
+}
+
+// Returns joints from first on, of which pose has eight doubles each. Lanes behind the last joint repeat it.
+inline Transform joints_of_pose(const double* pose, int count, int first) {
+  return of_records([&](int lane, int i, Row<float, 4>& four) {
+    const std::ptrdiff_t joint = first + lane < count ? first + lane : count - 1;
+    read_floats(pose + 8 * joint + i, four);
+  });
+}
+
+// If a register has at most eight numbers, the eight of a joint are side by side, and those of a pack's lanes are transposed. Else
+// number i of all joints is at numbers + i * stride(), where each lane looks up its own.
+constexpr bool are_by_joint = width <= 8;
+
+// few says that there are at most 32 joints.
 template <bool few>
 struct Joints {
   float* numbers;
   int count, any_stride;
 
-  int stride() const { return few ? 32 : any_stride; }
-  float* number(int i) const { return numbers + i * stride(); }
-
-  // Reads eight doubles a joint. Lanes behind the last joint repeat it.
-  void read(const double* pose) const {
-    int first = 0;
-    for (; first + 8 <= count; first += 8) read_block<true>(pose, first);
-    for (; first < (count + 15) / 16 * 16; first += 8) read_block<false>(pose, first);
-  }
-  Transform lanes(int first) const {
-    Transform out;
-    for (int i = 0; i < 4; ++i) out.rotation[i] = load(number(i) + first);
-    for (int i = 0; i < 3; ++i) out.translation[i] = load(number(4 + i) + first);
-    return out;
-  }
   void put_lanes(int first, const Transform& t) const {
-    for (int i = 0; i < 4; ++i) t.rotation[i].copy_to(number(i) + first, std::experimental::vector_aligned);
-    for (int i = 0; i < 3; ++i) t.translation[i].copy_to(number(4 + i) + first, std::experimental::vector_aligned);
+    if constexpr (are_by_joint) {
+      alignas(64) float lanes[8][width];
+      put_numbers(t, lanes[0], width);
+      S(0).copy_to(lanes[7], std::experimental::vector_aligned);
+      for (int lane = 0; lane < width; lane += 4)
+        for (int i = 0; i < 8; i += 4) {
+          Row<float, 4> rows[4];
+          for (int r = 0; r < 4; ++r) read_row(lanes[i + r] + lane, rows[r]);
+          transpose(rows);
+          for (int r = 0; r < 4; ++r) write_row(rows[r], numbers + 8 * (first + lane + r) + i);
+        }
+    } else {
+      put_numbers(t, numbers + first, stride());
+    }
   }
   Transform of_lanes(const std::int32_t* joint) const {
-    constexpr Table table = few ? Table::of_few : Table::in_registers;
-    Transform out;
-    for (int i = 0; i < 4; ++i) out.rotation[i] = look_up<table>(number(i), count, joint);
-    for (int i = 0; i < 3; ++i) out.translation[i] = look_up<table>(number(4 + i), count, joint);
-    return out;
+    if constexpr (are_by_joint) {
+      return of_records([&](int lane, int i, Row<float, 4>& four) { read_row(numbers + 8 * joint[lane] + i, four); });
+    } else {
+      constexpr Table table = few ? Table::of_few : Table::in_registers;
+      Transform out;
+      for (int i = 0; i < 4; ++i) out.rotation[i] = look_up<table>(number(i), count, joint);
+      for (int i = 0; i < 3; ++i) out.translation[i] = look_up<table>(number(4 + i), count, joint);
+      return out;
+    }
   }
 
  private:
-  template <bool whole>
-  [[gnu::always_inline]] void read_block(const double* pose, int first) const {
-    using Floats = Row<float, 8>;
-    Floats rows[8];
-#pragma GCC unroll 8
-    for (int i = 0; i < 8; ++i) {
-      const std::ptrdiff_t joint = whole || first + i < count ? first + i : count - 1;
-      Row<double, 8> row;
-      read_row(pose + 8 * joint, row);
-      rows[i] = __builtin_convertvector(row, Floats);
-    }
-    transpose<float>(rows, numbers + first, stride());
+  int stride() const { return few ? 32 : any_stride; }
+  float* number(int i) const { return numbers + i * stride(); }
+  static void put_numbers(const Transform& t, float* out, int out_stride) {
+    for (int i = 0; i < 4; ++i) t.rotation[i].copy_to(out + i * out_stride, std::experimental::vector_aligned);
+    for (int i = 0; i < 3; ++i) t.translation[i].copy_to(out + (4 + i) * out_stride, std::experimental::vector_aligned);
   }
 };
 

@@ -12,7 +12,10 @@ namespace refitlab {
 void put_lane(MotionBoundPack& pack, int lane, std::span<const int> joints, const Ball3<double>& ball, double to_prior,
               int target) {
   const int n = static_cast<int>(joints.size());
-  pack.slot_count = lane == 0 ? n : std::max(pack.slot_count, n);
+  for (int four = 0; four < motion_bound_lanes / 4; ++four) {
+    if (lane == 0) pack.slot_count[four] = 0;
+    if (four <= lane / 4) pack.slot_count[four] = std::max(pack.slot_count[four], n);
+  }
   for (int to = lane; to < motion_bound_lanes; ++to) {
     for (int k = 0; k < most_motion_bound_joints; ++k) pack.joint[k][to] = joints[k < n ? k : 0];
     for (int i = 0; i < 3; ++i) pack.center[i][to] = static_cast<float>(ball.center[i]);

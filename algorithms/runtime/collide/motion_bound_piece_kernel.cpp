@@ -57,9 +57,9 @@ template <int slots, bool deviates, bool few, class Merge>
 template <bool deviates, bool few>
 bool merge_all(const Joints<few>& joints, const MotionBoundPiecePack* packs, int pack_count, float off, FlippedBox* boxes) {
   for (const MotionBoundPiecePack* pack = packs; pack != packs + pack_count; ++pack)
-    for (int first = 0; first < motion_bound_lanes; first += width) {
+    for (int first = 0; first < motion_bound_lanes && pack->ball.slots_from(first) > 0; first += width) {
       const auto merge = [&](const Box<S>& box) { merge_lanes(box, pack->ball.target + first, boxes); };
-      const int slots = pack->ball.slot_count;
+      const int slots = pack->ball.slots_from(first);
       if (!(slots <= 1   ? bound_lanes<1, deviates>(*pack, first, joints, off, merge)
             : slots <= 2 ? bound_lanes<2, deviates>(*pack, first, joints, off, merge)
             : slots <= 3 ? bound_lanes<3, deviates>(*pack, first, joints, off, merge)

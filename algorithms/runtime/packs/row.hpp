@@ -30,4 +30,11 @@ template <class Row, class T>
   *reinterpret_cast<typename RowOf<T, sizeof(Row) / sizeof(T)>::InArray*>(first) = row;
 }
 
+// Reads four doubles and rounds them.
+[[gnu::always_inline]] inline void read_floats(const double* first, Row<float, 4>& row) {
+  Row<double, 4> doubles;
+  read_row(first, doubles);
+  row = __builtin_convertvector(doubles, decltype(row + row));
+}
+
 }  // namespace refitlab
