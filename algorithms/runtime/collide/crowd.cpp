@@ -4,39 +4,14 @@
 #include <algorithm>
 #include <exception>
 #include <mutex>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
+#include "algorithms/runtime/collide/meeting_boxes.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
 namespace {
-
-// Returns the axis along which the boxes' lower sides are spread most.
-int widest_axis(const std::vector<Box<double>>& boxes) {
-  Point3 least = boxes[0].low, greatest = least;
-  for (const auto& box : boxes) least = least.cwiseMin(box.low), greatest = greatest.cwiseMax(box.low);
-  int axis;
-  (greatest - least).maxCoeff(&axis);
-  return axis;
-}
-
-// Returns the pairs of boxes that meet, each with the smaller index first, in increasing order. It sweeps along one axis [Baraff
-// 1992].
-std::vector<std::pair<int, int>> meeting(const std::vector<Box<double>>& boxes) {
-  std::vector<std::pair<int, int>> pairs;
-  if (boxes.empty()) return pairs;
-  const int axis = widest_axis(boxes);
-  std::vector<int> order(boxes.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return boxes[a].low[axis] < boxes[b].low[axis]; });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].low[axis] <= boxes[order[i]].high[axis]; ++j)
-      if (!are_apart(boxes[order[i]], boxes[order[j]])) pairs.push_back(std::minmax(order[i], order[j]));
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
 
 // Throws std::invalid_argument unless all are there, and different.
 void check(std::span<ClusterBody* const> bodies) {
@@ -88,7 +63,7 @@ std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query que
   check(bodies);
   std::vector<Box<double>> boxes(bodies.size());
   for_each(workers, bodies.size(), [&](std::size_t i) { boxes[i] = bodies[i]->motion_bound(); });
-  const auto pairs = meeting(boxes);
+  const auto pairs = meeting_boxes(boxes);
   counts.pairs_of_boxes += static_cast<long>(pairs.size());
 
   for (ClusterBody* body : bodies) body->share();
