@@ -9,7 +9,6 @@
 #include "experiments/catalogue/catalogue.hpp"
 #include "experiments/deformations/deformations.hpp"
 #include "experiments/engines/engines.hpp"
-#include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
 #include "experiments/over_time/crossfades.hpp"
 #include "experiments/over_time/growth.hpp"
@@ -188,12 +187,12 @@ void run_without_model(const Options& options, Units& run, RunFile& result) {
     const SpeedSettings speed{options.speed.seconds_per_run / 5, options.speed.repetitions};
     write_joint_growth(resumed_or(run, "growth with the joints", speed, "", [&] { return run_joint_growth(speed); }),
                        result("joint_growth.csv"));
-    write_character_growth(resumed_or(run, "growth with the characters", speed, "", [&] { return run_character_growth(speed); }),
-                           result("character_growth.csv"));
     write_triangle_growth(resumed_or(run, "growth with the triangles", options.triangles, "",
                                      [&] { return run_triangle_growth(options.triangles); }),
                           result("triangle_growth.csv"));
   }
+  if (options.wants("crowds"))
+    write_crowds(resumed_or(run, "crowds", options.crowds, "", [&] { return run_crowds(options.crowds); }), result("crowds.csv"));
   if (options.wants("synthetic"))
     write_synthetic(resumed_or(run, "synthetic", options.synthetic, "", [&] { return run_synthetic(options.synthetic); }),
                     options.synthetic, result("synthetic.csv"));
@@ -225,7 +224,8 @@ std::size_t unit_count(const Options& options, std::size_t models, std::size_t d
   std::size_t units = count("tightness", models) + count("speed", 2 * models) + count("volumes", models) +
                       count("rounding", models) + count("collisions", with_collisions) + count("over_time", 2 * models) +
                       count("engines", models) + count("deformations", models + deforming);
-  if (options.wants_no_character()) units += count("growth", 3) + count("synthetic", 1) + count("over_time", 1);
+  if (options.wants_no_character())
+    units += count("growth", 2) + count("crowds", 1) + count("synthetic", 1) + count("over_time", 1);
   return units;
 }
 

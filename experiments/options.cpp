@@ -29,6 +29,7 @@ void measure_quickly(Options& o) {
   o.rounding = {.poses = 1, .vertices_per_node = 1, .speed = speed};
   o.collisions = {.frames = 2, .speed = once, .first_model_only = true};
   o.triangles = {.frames = 2, .subdivisions = 1, .speed = once};
+  o.crowds = {.most_characters = 100, .speed = once};
   o.synthetic.count = 1000;
   o.over_time = {.random_times = 20, .halvings = 2, .exact_checks = 1, .clips = 1};
   o.crossfades = {.times = 3, .weights = 3, .clips = 2, .cluster_triangles = 0};
@@ -48,6 +49,7 @@ void measure_fully(Options& o) {
   o.rounding = {.poses = 20, .vertices_per_node = 8, .speed = {.seconds_per_run = 0.05, .repetitions = 7}};
   o.collisions = {.frames = 50, .speed = {.seconds_per_run = 0.05, .repetitions = 5}, .all_detectors = true};
   o.triangles = {.frames = 20, .subdivisions = 3, .speed = {.seconds_per_run = 0.1, .repetitions = 5}};
+  o.crowds = {.most_characters = 10000, .speed = {.seconds_per_run = 0.1, .repetitions = 5}};
   o.synthetic.count = 50000;
   o.over_time = {.random_times = 10000, .halvings = 12, .exact_checks = 200};
   o.crossfades = {.times = 25, .weights = 9, .all_skinnings = true};

@@ -8,6 +8,7 @@
 
 #include "experiments/certificates/certificates.hpp"
 #include "experiments/collisions/collisions.hpp"
+#include "experiments/crowds/crowds.hpp"
 #include "experiments/deformations/deformations.hpp"
 #include "experiments/engines/engines.hpp"
 #include "experiments/growth/triangles.hpp"
@@ -25,7 +26,7 @@ namespace refitlab {
 inline constexpr const char* experiments_on_models[] = {"tightness",  "speed",     "volumes", "rounding",
                                                         "collisions", "over_time", "engines", "deformations"};
 // All or a part of these has nothing to do with a model. That part belongs to no character.
-inline constexpr const char* experiments_without_model[] = {"growth", "synthetic", "over_time"};
+inline constexpr const char* experiments_without_model[] = {"growth", "crowds", "synthetic", "over_time"};
 inline constexpr const char* no_character = "none";
 
 // The settings are those of a first look unless asked otherwise: all parts, all characters, in some minutes.
@@ -41,6 +42,7 @@ struct Options {
   RoundingSettings rounding{.poses = 1, .vertices_per_node = 1, .speed = speed};
   CollisionSettings collisions{.frames = 1, .speed = {.seconds_per_run = 0.001, .repetitions = 5}};
   TriangleGrowthSettings triangles{.frames = 1, .subdivisions = 1, .speed = {.seconds_per_run = 0.002, .repetitions = 3}};
+  CrowdSettings crowds{.most_characters = 1000, .speed = {.seconds_per_run = 0.002, .repetitions = 3}};
   SyntheticSettings synthetic{.count = 2000};
   OverTimeSettings over_time{.random_times = 100, .halvings = 4, .exact_checks = 4, .clips = 2};
   CrossfadeSettings crossfades{.times = 5, .weights = 5, .clips = 2, .cluster_triangles = 512};

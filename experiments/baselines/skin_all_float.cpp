@@ -1,46 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Skins everything in float, cluster by cluster, with the boxes of the clusters in the same registers, and merges these
-// bottom-up. Triangles of clusters whose boxes meet are culled, compared and filtered in float, with the skinning's slack in
-// the error bound; only pairs that stay unknown are decided on vertices in double.
-#include "algorithms/runtime/collide/cluster_traversal.hpp"
+// Skins everything in float. Triangles of clusters whose boxes meet are culled, compared and filtered in float, with the skinning's
+// slack in the error bound; only pairs that stay unknown are decided on vertices in double.
 #include "experiments/baselines/baselines.hpp"
+#include "experiments/baselines/skinned_body.hpp"
 
 namespace refitlab {
 namespace {
-
-// A SkinnedBody is all of one body in a frame.
-class SkinnedBody {
- public:
-  explicit SkinnedBody(const ClusterTree& tree) : clusters_(tree, Skinning::spherical), own_(tree.wide_nodes().size()) {
-    int blocks = 0;
-    for (const WideNode& n : tree.wide_nodes()) first_block_.push_back(blocks), blocks += blocks_of(n.child_count);
-    boxes_.resize(blocks);
-  }
-
-  const ClusterTree& tree() const { return clusters_.tree(); }
-  SkinnedClusters& clusters() { return clusters_; }
-  const BoxBlock<float>* wide_node_boxes(int n) const { return &boxes_[first_block_[n]]; }
-  const Box<float>& wide_node_box(int n) const { return own_[n]; }
-  void tighten(int) {}  // they are the clusters' own
-
-  void refit() {
-    for (int n = static_cast<int>(own_.size()); n-- > 0;) {  // children come after their parents
-      own_[n] = Box<float>::empty();
-      for (int i = 0; i < tree().wide_nodes()[n].child_count; ++i) {
-        const WideNodeChild& child = tree().child(n, i);
-        const Box<float>& box = child.cluster >= 0 ? clusters_.cluster(child.cluster).box : own_[child.wide_node];
-        put_box(&boxes_[first_block_[n]], i, box);
-        own_[n].merge(box);
-      }
-    }
-  }
-
- private:
-  SkinnedClusters clusters_;
-  std::vector<int> first_block_;
-  std::vector<BoxBlock<float>> boxes_;
-  std::vector<Box<float>> own_;
-};
 
 class SkinAllFloat : public Detector {
  public:

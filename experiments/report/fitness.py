@@ -23,7 +23,7 @@ SOURCES = {
     "triangle_growth": [*RUN, *QUERIES, "experiments/growth"],
     "rounding": [*RUN, "experiments/rounding", *TIMING],
     "joint_growth": [*RUN, *QUERIES, "experiments/growth"],
-    "character_growth": [*RUN, *QUERIES, "experiments/growth"],
+    "crowds": [*RUN, *QUERIES, "experiments/crowds"],
     "over_time": [*RUN, "experiments/over_time", "proptests/oracles"],
     "crossfades": [*RUN, "experiments/over_time", "proptests/oracles"],
     "over_time_growth": [*RUN, "experiments/over_time", "proptests/oracles"],

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Growth with triangles, joints and characters."""
+"""Growth with triangles and joints."""
 from .plots import Line, Plot
 from .statistics import fitted_exponent
 
 FITTED_FROM = 4000     # triangles: below, what does not grow dominates
 FITTED_JOINTS = (100, 1000)  # these two numbers
-FITTED_CROWDS = 3      # the largest numbers of characters
 
 
 def triangle_times(results, scene, detector):
@@ -58,31 +57,3 @@ def joints_section(results, page):
                      "ratios": [of(variant, "radius_ratio_to_optimal_of_root") for variant in ("own", "through_descendants")]})
     return {"exponent": joint_exponent(results), "fitted": FITTED_JOINTS, "rows": rows,
             "plot": Plot("the root's ball", "joints", "us", lines, log_x=True, log_y=True).svg()}
-
-
-# --- Characters ---
-
-CROWD_LINES = [("all pairs", "clusters"), ("all pairs, two threads", "clusters_on_two_threads"), ("yes/no", "clusters_yes_no"),
-               ("skinning alone", "skinning_alone")]
-
-
-def crowd_times(results, variant):
-    """Returns (characters, us a frame), in ascending order, or none if there were no threads."""
-    return sorted((r.characters, r.value) for r in results.find("character_growth", variant=variant, quantity="us_per_frame"))
-
-
-def crowd_exponent(results, variant):
-    return fitted_exponent(crowd_times(results, variant)[-FITTED_CROWDS:])
-
-
-def characters_section(results, page):
-    lines = [Line(label, crowd_times(results, variant)) for label, variant in CROWD_LINES]
-    rows = []
-    for characters in results.distinct("character_growth", "characters"):
-        def of(quantity, variant="clusters"):
-            return results.number_or_none("character_growth", characters=characters, variant=variant, quantity=quantity)
-        rows.append({"characters": characters, **{q: of(q) for q in ("pairs_of_boxes", "contacts", "triangle_pairs", "share_of_clusters_skinned")},
-                     "us": [of("us_per_frame", variant) for _, variant in CROWD_LINES]})
-    fitted = [men for men, _ in crowd_times(results, "clusters")[-FITTED_CROWDS:]]
-    return {"exponent": crowd_exponent(results, "clusters"), "fitted": fitted, "yes_no_exponent": crowd_exponent(results, "clusters_yes_no"), "rows": rows,
-            "plot": Plot("time of a frame", "characters", "us", lines, log_x=True, log_y=True).svg()}

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import jinja2
 from markupsafe import Markup
 
-from . import collisions, deformations, drawings, engines, explorer, growth, over_time, pictures, rounding, speed, synthetic, tightness, verdicts, volumes
+from . import collisions, crowds, deformations, drawings, engines, explorer, growth, over_time, pictures, rounding, speed, synthetic, tightness, verdicts, volumes
 from .tables import PROVENANCE, ResultError
 
 FOLDER = pathlib.Path(__file__).resolve().parent
@@ -30,7 +30,7 @@ SECTIONS = [
     ("Collision queries", "collisions", collisions.section, ["collisions"]),
     ("Growth with triangles", "triangles", growth.triangles_section, ["triangle_growth"]),
     ("Growth with joints", "joints", growth.joints_section, ["joint_growth"]),
-    ("Many characters in one scene", "characters", growth.characters_section, ["character_growth"]),
+    ("Many characters in one scene", "crowds", crowds.crowds_section, ["crowds"]),
     ("Synthetic cases", "synthetic", synthetic.section, ["synthetic"]),
 ]
 

@@ -3,7 +3,7 @@
 import pathlib
 import re
 
-from . import collisions, deformations, engines, growth, original, over_time, statements
+from . import collisions, crowds, deformations, engines, growth, original, over_time, statements
 from .formats import broken_name, digits, escaped, long_table, power_of_ten, table, whole_number
 from .statistics import mean, span
 from .tables import ALL, ResultError, stored
@@ -157,9 +157,11 @@ def numbers(results, root):
                                     ("below", "through_descendants", "ns_of_root_from_known_cut")]:
         out[f"joints.{name}"] = digits(results.number("joint_growth", joints=joints, variant=variant, quantity=quantity) / 1000, 2)
     out["joints.ratio"] = digits(results.number("joint_growth", joints=joints, variant="through_descendants", quantity="radius_ratio_to_optimal_of_root"))
-    men = max(results.distinct("character_growth", "characters"))
-    us, contacts = (results.number("character_growth", characters=men, variant="clusters", quantity=q) for q in ("us_per_frame", "contacts"))
+    men = max(results.distinct("crowds", "characters"))
+    us, contacts = (results.number("crowds", scene="dense", characters=men, variant="clusters", quantity=q) for q in ("us_per_frame", "contacts"))
     out["crowd.men"], out["crowd.ms"], out["crowd.contacts"] = whole_number(men), digits(us / 1000, 2), whole_number(contacts)
+    out["crowd.gain"] = digits(crowds.gain(results, "dense", men), 2)
+    out["crowd.apart.us"] = digits(results.number("crowds", scene="apart", characters=men, variant="clusters", quantity="us_per_frame") / men, 2)
     out["rounding.checks"] = whole_number(total(results, "rounding", quantity="exact_checks"))
     out["rounding.misses"] = whole_number(total(results, "rounding", quantity="missed_vertices") +
                                           total(results, "rounding", quantity="missed_vertices_in_float"))
@@ -345,7 +347,7 @@ def reduced_table(results):
 
 def provenance_table(results):
     for name in ["tightness", "speed", "volumes", "batch_speed", "rounding", "collisions", "triangle_growth", "joint_growth",
-                 "character_growth", "over_time", "over_time_growth", "engines", "deformations", "verdicts"]:
+                 "crowds", "over_time", "over_time_growth", "engines", "deformations", "verdicts"]:
         results.rows(name)
     rows = [[f"\\texttt{{{escaped(name)}.csv}}", f"\\texttt{{{p['commit']}}}", escaped(p["compiler"]), escaped(p["cpu"])]
             for name, p in results.provenance.items()]

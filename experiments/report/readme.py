@@ -2,7 +2,7 @@
 """The README's measured blocks: <!-- measured: NAME --> ... <!-- /measured -->, each with the commit it was measured at."""
 import re
 
-from . import deformations, engines, over_time, paper_numbers
+from . import crowds, deformations, engines, over_time, paper_numbers
 from .blocks import block, replaced
 from .formats import digits
 from .statistics import span
@@ -11,6 +11,12 @@ from .tables import ResultError
 NAME = re.compile(r"<!-- measured: (\w+) -->\n")
 COMMIT = re.compile(r"commit\s[0-9a-f]{7,40}\b")
 SCENES = ["far", "near", "light", "heavy"]
+CROWDS = [10, 100, 1000, 10000]
+CROWD_ROWS = [("dense", "dense: `collide_all`", "clusters"), ("dense", "the same on two threads", "clusters_on_two_threads"), ("dense", "the same, yes/no", "clusters_yes_no"),
+              ("dense", "dense: skin everything in float, boxes bottom-up", "skin_all_float"), ("dense", "the same behind our motion bound", "skin_all_float_bounded"),
+              ("dense", "the same with clusters of 512 triangles in place of 256", "skin_all_float_512_bounded"),
+              ("apart", "apart: skin everything in float, boxes bottom-up", "skin_all_float"), ("apart", "apart: `collide_all`", "clusters"),
+              ("apart", "skin everything in float behind our motion bound", "skin_all_float_bounded")]
 KERNELS_UP_TO = ", kernels up to "  # what experiments --target puts behind the processor's name
 
 
@@ -112,6 +118,31 @@ Embree chooses its own instructions.
 """ + "\n".join(query_rows(results)) + "\n"
 
 
+def crowds_block(results):
+    commit, cpu = commit_of(results, "crowds"), results.provenance["crowds"]["cpu"]
+    numbers = [n for n in results.distinct("crowds", "characters") if n in CROWDS]
+    most = max(numbers)
+    rows = []
+    for scene, name, detector in CROWD_ROWS:
+        us = dict(crowds.times(results, scene, detector))
+        if us:  # there may be no threads
+            rows.append(f"| {name} | " + " | ".join(digits(us[n] / n, 3 if us[n] >= 100 * n else 2) for n in numbers) + " |")
+    contacts, pairs = (results.number("crowds", scene="dense", characters=most, variant="clusters", quantity=q) for q in ("contacts", "triangle_pairs"))
+    boxes = 1000 * dict(crowds.times(results, "apart", "broad_phase"))[most] / most
+    return f"""\
+The table gives the microseconds a man and frame to find all touching pairs of triangles in a crowd of walking men of 8270 triangles each
+(`{command_of(results, "crowds")} --only crowds`; commit {commit}, {cpu}, one thread but where it says two). *Dense* is two square metres a man: of {most:,} men {contacts:,.0f} pairs touch, each in
+{pairs / contacts:.0f} pairs of triangles. *Apart*, no boxes meet. All detectors find the same pairs.
+
+| | {' | '.join(f"{n:,} men" for n in numbers)} |
+|---|{'---|' * len(numbers)}
+""" + "\n".join(rows) + f"""
+
+In the last two rows any method is as fast behind a box around the whole character. There the cost of a man hardly depends on how many others are far from
+him. It grows once the men no longer fit into the processor's caches. Comparing {most:,} boxes takes {digits(boxes, 2)} nanoseconds a man.
+"""
+
+
 def over_time_block(results):
     commit = commit_of(results, "over_time", "over_time_growth")
     clips = len(results.select("over_time", skinning="linear", quantity="duration"))
@@ -178,7 +209,7 @@ The default refits cost {from_to(deformations.cost_ratios(results))} times as mu
 """
 
 
-BLOCKS = {"variants": variants_block, "over_time": over_time_block, "queries": queries_block, "queries_avx2": queries_avx2_block, "engines": engines_block, "deformations": deformations_block}
+BLOCKS = {"variants": variants_block, "over_time": over_time_block, "queries": queries_block, "queries_avx2": queries_avx2_block, "crowds": crowds_block, "engines": engines_block, "deformations": deformations_block}
 OF_LIMITED_KERNELS = {"queries_avx2"}  # which a run of its own measures
 
 

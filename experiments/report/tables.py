@@ -64,7 +64,7 @@ SCHEMAS = {
     "collisions": {**LONG, "scene": text, "query": one_of("full", "yes/no"), "origin": ORIGIN},
     "triangle_growth": {**LONG, "scene": text, "triangles": count},
     "joint_growth": {**LONG, "joints": count},
-    "character_growth": {**LONG, "characters": count},
+    "crowds": {**LONG, "scene": one_of("dense", "apart"), "characters": count},
     "rounding": LONG,
     "over_time": {**LONG, "skinning": skinning},
     "crossfades": {**LONG, "skinning": skinning},

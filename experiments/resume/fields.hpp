@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "experiments/collisions/collisions.hpp"
+#include "experiments/crowds/crowds.hpp"
 #include "experiments/deformations/deformations.hpp"
 #include "experiments/engines/engines.hpp"
-#include "experiments/growth/characters.hpp"
 #include "experiments/growth/joints.hpp"
 #include "experiments/growth/triangles.hpp"
 #include "experiments/over_time/crossfades.hpp"
@@ -37,6 +37,7 @@ REFITLAB_FIELDS(VolumeSettings, times, nodes, speed)
 REFITLAB_FIELDS(RoundingSettings, poses, vertices, speed, seed)
 REFITLAB_FIELDS(CollisionSettings, frames, speed, all, first)
 REFITLAB_FIELDS(TriangleGrowthSettings, frames, subdivisions, speed)
+REFITLAB_FIELDS(CrowdSettings, most, speed)
 REFITLAB_FIELDS(SyntheticSettings, count, seed)
 REFITLAB_FIELDS(OverTimeSettings, times, halvings, walls, clips, seed)
 REFITLAB_FIELDS(CrossfadeSettings, times, weights, clips, triangles, all)
@@ -55,7 +56,8 @@ REFITLAB_FIELDS(CollisionResult, model, pose, scene, detector, origin, query, di
                 vertices, share, us, stages, to_engine, to_skin_all, to_repaired)
 REFITLAB_FIELDS(TriangleGrowth, triangles, result)
 REFITLAB_FIELDS(JointGrowth, joints, sets, many, own, below, own_root, root_below, root_known, ratio, ratio_below)
-REFITLAB_FIELDS(CharacterGrowth, characters, boxes, contacts, triangles, skinned, full, yes_no, two_threads, skin_all)
+REFITLAB_FIELDS(CrowdResult::Time, detector, us)
+REFITLAB_FIELDS(CrowdResult, scene, characters, boxes, contacts, triangles, skinned, times)
 REFITLAB_FIELDS(Miss, vertex, time, by)
 REFITLAB_FIELDS(ClipMisses, way, whole, clusters, worst, of_cluster, undecided)
 REFITLAB_FIELDS(ClipResult, clip, duration, random, close, places, checks, misses, undecided, whole, clusters, flat, ways)
