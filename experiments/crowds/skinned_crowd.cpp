@@ -7,7 +7,7 @@ namespace refitlab {
 
 SkinnedCrowd::SkinnedCrowd(const ClusterTree& tree, int count)
     : tree_(tree),
-      motion_bound_(tree.character().mesh, tree.character().sets, Skinning::spherical),
+      motion_bound_(tree.way_of(Skinning::spherical).motion_bound),
       boxes_(count),
       is_skinned_(count) {
   for (int i = 0; i < count; ++i) bodies_.push_back(std::make_unique<SkinnedBody>(tree));

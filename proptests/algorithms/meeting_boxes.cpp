@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "algorithms/runtime/mesh/skinned_mesh.hpp"
 #include "proptests/gen/any_place.hpp"
 #include "proptests/harness/harness.hpp"
 

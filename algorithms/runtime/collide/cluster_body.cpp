@@ -41,7 +41,7 @@ void put_float_box(const Box<double>& box, double lost, int i, BoxBlock<float>* 
 ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
     : tree_(tree),
       skinning_(skinning),
-      motion_bound_(tree.character().mesh, tree.character().sets, skinning),
+      motion_bound_(tree.way_of(skinning).motion_bound),
       clusters_(tree, skinning),
       joints_(tree.character().sets),
       wide_nodes_made_(tree.wide_nodes().size()),

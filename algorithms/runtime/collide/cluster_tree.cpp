@@ -18,6 +18,20 @@ void check(const ClusterOptions& o) {
     throw std::invalid_argument("cluster options: most_children is " + std::to_string(o.most_children) + ", less than 2");
 }
 
+// Returns the joint-sets in the order of the clusters, so that those of neighbours are near each other.
+std::vector<int> by_clusters(const ClusterTree& tree) {
+  const int count = tree.character().sets.count();
+  std::vector<int> out;
+  std::vector<bool> is_listed(count, false);
+  const auto list = [&](int set) {
+    if (!is_listed[set]) is_listed[set] = true, out.push_back(set);
+  };
+  for (int c = 0; c < static_cast<int>(tree.clusters().size()); ++c)
+    for (const FloatRun& run : tree.floats().runs(c)) list(run.joint_set);
+  for (int set = 0; set < count; ++set) list(set);  // those that no triangle has
+  return out;
+}
+
 }  // namespace
 
 ClusterTree::ClusterTree(const Character& character, const ClusterOptions& options)
@@ -119,6 +133,16 @@ void ClusterTree::pack_clusters() {
     }
   }
   for (auto& places : triangle_vertices_) places.resize(places.size() + short_look_up_size(1));
+}
+
+const WayOfSkinning& ClusterTree::way_of(Skinning skinning) const {
+  auto& way = ways_->all[static_cast<std::size_t>(skinning)];
+  std::call_once(ways_->are_made[static_cast<std::size_t>(skinning)], [&] {
+    const Character& c = *character_;
+    way.reset(
+        new WayOfSkinning{MotionBound(c.mesh, c.sets, skinning), PalettePacks(c.mesh, c.sets, skinning, by_clusters(*this))});
+  });
+  return *way;
 }
 
 }  // namespace refitlab

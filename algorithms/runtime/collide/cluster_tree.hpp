@@ -7,10 +7,15 @@
 // bounded many at a time: a wide node is the set of descendants that one node is opened into, all refitted together.
 #pragma once
 
+#include <array>
+#include <memory>
+#include <mutex>
+
 #include "algorithms/runtime/batch/float_vertices.hpp"
+#include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/box_packs.hpp"
 #include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
-#include "algorithms/runtime/collide/motion_bound_packs.hpp"
+#include "algorithms/runtime/collide/motion_bound.hpp"
 
 namespace refitlab {
 
@@ -54,6 +59,12 @@ struct WideNode {
   ChildPlace place = {-1, -1};                      // the root has none
 };
 
+// A WayOfSkinning is what all bodies of a tree that are skinned in one way have in common.
+struct WayOfSkinning {
+  MotionBound motion_bound;  // for copies of it
+  PalettePacks palettes;     // near each other for clusters that are
+};
+
 class ClusterTree {
  public:
   // character must outlive this. Throws std::invalid_argument for options out of range.
@@ -67,6 +78,8 @@ class ClusterTree {
   const std::vector<Cluster>& clusters() const { return clusters_; }
   const PackedVertices& vertices() const { return vertices_; }  // a group for each cluster
   const FloatVertices& floats() const { return floats_; }       // the same
+  // It is made when it is first asked for. Several threads may ask at a time.
+  const WayOfSkinning& way_of(Skinning skinning) const;
 
   // Returns the triangles of a cluster: their vertices by position in it, and their indices in the model.
   ClusterTriangles cluster_triangles(int cluster) const {
@@ -85,6 +98,14 @@ class ClusterTree {
   struct Part {
     int node;  // the leaf, for some of its triangles
     int first_triangle, triangle_count;
+  };
+
+  // These are by Skinning, and made on demand.
+  struct Ways {
+    static constexpr std::size_t count = static_cast<std::size_t>(Skinning::dual_quaternion) + 1;
+
+    std::array<std::once_flag, count> are_made;
+    std::array<std::unique_ptr<const WayOfSkinning>, count> all;
   };
 
   bool is_whole(const Part& part) const {
@@ -109,6 +130,7 @@ class ClusterTree {
   int most_triangles_ = 0, most_vertices_ = 0;
   PackedVertices vertices_;
   FloatVertices floats_;
+  std::shared_ptr<Ways> ways_ = std::make_shared<Ways>();  // copies of the tree share them
 };
 
 }  // namespace refitlab

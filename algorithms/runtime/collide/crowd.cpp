@@ -66,7 +66,7 @@ std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query que
   const auto pairs = meeting_boxes(boxes);
   counts.pairs_of_boxes += static_cast<long>(pairs.size());
 
-  for (ClusterBody* body : bodies) body->share();
+  for (const auto& [a, b] : pairs) bodies[a]->share(), bodies[b]->share();
   std::vector<Contact> found(pairs.size());
   std::vector<QueryCounts> tests(pairs.size());
   std::vector<std::mutex> in_work(bodies.size());

@@ -30,10 +30,9 @@ MotionBound::MotionBound(const SkinnedMesh& mesh, const JointSets& sets, Skinnin
       sets_(sets),
       skinning_(skinning),
       padded_joints_(look_up_size(static_cast<int>(mesh.joints.size()))),
-      groups_(make_groups()) {
-  const DefaultFloatEnvironment environment;
-  pack();
-}
+      groups_(std::make_shared<const Groups>(pack(make_groups()))),
+      numbers_(8 * padded_joints_ / Lanes<float>::count),
+      unbounded_(groups_->packs.size()) {}
 
 std::vector<MotionBound::Group> MotionBound::make_groups() const {
   const DefaultFloatEnvironment environment;
@@ -98,26 +97,28 @@ bool MotionBound::deviates() const { return skinning_ == Skinning::spherical || 
 
 // Puts the groups into packs. A group that does not deviate is in the hull of its joints' images, so it takes a few joints at a
 // time.
-void MotionBound::pack() {
+MotionBound::Groups MotionBound::pack(std::vector<Group> groups) const {
+  const DefaultFloatEnvironment environment;
+  Groups out{.all = std::move(groups)};
   int lane = 0;
-  for (std::size_t i = 0; i < groups_.size(); ++i) {
-    const Group& g = groups_[i];
+  for (std::size_t i = 0; i < out.all.size(); ++i) {
+    const Group& g = out.all[i];
     const std::span<const int> joints = g.joints;
-    most_joints_ = std::max(most_joints_, static_cast<int>(joints.size()));
-    is_bounded_ = is_bounded_ && can_be_bounded(g.reference);
+    out.most_joints = std::max(out.most_joints, static_cast<int>(joints.size()));
+    out.are_bounded = out.are_bounded && can_be_bounded(g.reference);
     if (deviates() && joints.size() > most_motion_bound_joints) {
-      others_.push_back(static_cast<int>(i));
+      out.others.push_back(static_cast<int>(i));
       continue;
     }
     for (std::size_t first = 0; first < joints.size(); first += most_motion_bound_joints) {
-      if (lane == 0) packs_.emplace_back();
-      put_lane(packs_.back(), lane, joints.subspan(first, std::min<std::size_t>(most_motion_bound_joints, joints.size() - first)),
-               g.reference, g.to_prior, static_cast<int>(i));
+      if (lane == 0) out.packs.emplace_back();
+      put_lane(out.packs.back(), lane,
+               joints.subspan(first, std::min<std::size_t>(most_motion_bound_joints, joints.size() - first)), g.reference,
+               g.to_prior, static_cast<int>(i));
       lane = (lane + 1) % motion_bound_lanes;
     }
   }
-  unbounded_.resize(packs_.size());
-  numbers_.resize(8 * padded_joints_ / Lanes<float>::count);
+  return out;
 }
 
 // Bounds a group by its rotation centers. Whatever the rotations, a vertex is within its distance to the rotation center of the
@@ -143,23 +144,24 @@ Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& pla
   const DefaultFloatEnvironment environment;
   check_joint_count(mesh_, pose.size());
   defect_.reset();
+  const auto& packs = groups_->packs;
   MotionBoundBox bounds;
   motion_bound_kernels(target).bound(pose[0].rotation.data(), static_cast<int>(pose.size()), placement.rotation.data(),
-                                     packs_.data(), static_cast<int>(packs_.size()), deviates(), numbers_.data()->lane.data(),
+                                     packs.data(), static_cast<int>(packs.size()), deviates(), numbers_.data()->lane.data(),
                                      padded_joints_, bounds, unbounded_.data());
   const float defect = bounds.high[3], squared_farthest = -bounds.low[3];
   const bool is_finite = squared_farthest < infinite;
   is_rigid = is_finite && defect <= surely_rigid;
-  if (!(is_finite && defect <= surely_not_rigid && is_bounded_)) return Box<double>::everything();
+  if (!(is_finite && defect <= surely_not_rigid && groups_->are_bounded)) return Box<double>::everything();
   Box<double> box{{bounds.low[0], bounds.low[1], bounds.low[2]}, {bounds.high[0], bounds.high[1], bounds.high[2]}};
   const auto add_unbounded = [&](int group) {
     if (skinning_ == Skinning::dual_quaternion) box = Box<double>::everything();
-    else add_about_centers(groups_[group], pose, placement.rotation, box);
+    else add_about_centers(groups_->all[group], pose, placement.rotation, box);
   };
-  for (const int group : others_) add_unbounded(group);
-  for (std::size_t p = 0; p < packs_.size(); ++p)
-    for (std::uint32_t lanes = unbounded_[p]; lanes; lanes &= lanes - 1) add_unbounded(packs_[p].target[std::countr_zero(lanes)]);
-  lost_of_joints_ = lost_of_motion_bound * most_joints_ * std::sqrt(static_cast<double>(squared_farthest));
+  for (const int group : groups_->others) add_unbounded(group);
+  for (std::size_t p = 0; p < packs.size(); ++p)
+    for (std::uint32_t lanes = unbounded_[p]; lanes; lanes &= lanes - 1) add_unbounded(packs[p].target[std::countr_zero(lanes)]);
+  lost_of_joints_ = lost_of_motion_bound * groups_->most_joints * std::sqrt(static_cast<double>(squared_farthest));
   move(box, placement.translation, lost());
   return box;
 }
@@ -170,7 +172,7 @@ Box<double> MotionBound::box(const AffinePose& pose, const RigidTransform<double
   AffinePose placed;
   for (const AffineMap<double>& map : pose) placed.push_back(turned(placement.rotation, map));
   auto box = Box<double>::empty();
-  for (const Group& g : groups_)
+  for (const Group& g : groups_->all)
     for (const int j : g.joints) {
       // A vertex of all of these joints is off by as many roundings.
       const AffineMap<double>& map = placed[static_cast<std::size_t>(j)];

@@ -8,6 +8,7 @@
 // one shares its f, and few groups are left.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "algorithms/runtime/collide/box_kernel.hpp"
@@ -17,6 +18,7 @@
 
 namespace refitlab {
 
+// Copies share what does not depend on the frame.
 class MotionBound {
  public:
   // mesh and sets must outlive this.
@@ -58,8 +60,17 @@ class MotionBound {
     float radius;     // with an allowance for rounding
   };
 
+  // These do not depend on the frame.
+  struct Groups {
+    std::vector<Group> all;  // those of most joints first
+    std::vector<MotionBoundPack> packs;
+    std::vector<int> others;  // groups that have too many joints for a pack
+    int most_joints = 1;
+    bool are_bounded = true;
+  };
+
   std::vector<Group> make_groups() const;
-  void pack();
+  Groups pack(std::vector<Group> groups) const;
   bool deviates() const;
   void add_about_centers(const Group& group, const Pose& pose, const Quaternion<double>& rotation, Box<double>& box) const;
 
@@ -67,11 +78,7 @@ class MotionBound {
   const JointSets& sets_;
   const Skinning skinning_;
   const int padded_joints_;
-  std::vector<Group> groups_;  // those of most joints first
-  std::vector<MotionBoundPack> packs_;
-  std::vector<int> others_;  // groups that have too many joints for a pack
-  int most_joints_ = 1;
-  bool is_bounded_ = true;
+  std::shared_ptr<const Groups> groups_;
   // These are the data of the current frame.
   std::vector<Lanes<float>> numbers_;
   std::vector<std::uint32_t> unbounded_;

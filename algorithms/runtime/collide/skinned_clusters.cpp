@@ -16,20 +16,6 @@ constexpr float unlimited = std::numeric_limits<float>::infinity();  // a slack 
 // Returns four roundings of the greatest coordinate in a box.
 float roundings(const Box<float>& box) { return four_roundings * box.greatest_coordinate(); }
 
-// Returns the joint-sets in the order of the clusters, so that those of neighbours are near each other.
-std::vector<int> by_clusters(const ClusterTree& tree) {
-  const int count = tree.character().sets.count();
-  std::vector<int> out;
-  std::vector<bool> is_listed(count, false);
-  const auto list = [&](int set) {
-    if (!is_listed[set]) is_listed[set] = true, out.push_back(set);
-  };
-  for (int c = 0; c < static_cast<int>(tree.clusters().size()); ++c)
-    for (const FloatRun& run : tree.floats().runs(c)) list(run.joint_set);
-  for (int set = 0; set < count; ++set) list(set);  // those that no triangle has
-  return out;
-}
-
 // Returns how many positions all clusters have.
 int position_count(const ClusterTree& tree) {
   return tree.clusters().back().first_vertex + tree.clusters().back().padded_vertex_count;
@@ -46,7 +32,7 @@ long work_of_all(const ClusterTree& tree, int part_count) {
 SkinnedClusters::SkinnedClusters(const ClusterTree& tree, Skinning skinning)
     : tree_(tree),
       skinning_(skinning),
-      palette_packs_(tree.character().mesh, tree.character().sets, skinning, by_clusters(tree)),
+      palette_packs_(tree.way_of(skinning).palettes),
       float_palettes_(palette_packs_),
       palettes_made_(palette_packs_.part_count()),
       palette_arrays_(palette_packs_.arrays(palette_)),

@@ -98,7 +98,7 @@ class SkinnedClusters {
 
   const ClusterTree& tree_;
   const Skinning skinning_;
-  const PalettePacks palette_packs_;
+  const PalettePacks& palette_packs_;
   const Pose* pose_ = nullptr;                    // none where joints are affine
   const DeformedReference* reference_ = nullptr;  // none where vertices are those of the mesh
   RigidTransform<double> placement_;
