@@ -48,7 +48,7 @@ class Strips {
 }  // namespace
 
 // It sweeps along the axis on which the lower sides are spread most [Baraff 1992]. As that alone compares each box with all those
-// across, each strip of a second axis is swept by itself. Two boxes may share several strips. They are compared in the first of them,
+// across, each strip of a second axis is swept by itself. Two boxes may share several strips. They are listed in the first of them,
 // which is that of the greater of their lower sides.
 std::vector<std::pair<int, int>> meeting_boxes(std::span<const Box<double>> boxes) {
   const DefaultFloatEnvironment environment;
@@ -68,8 +68,10 @@ std::vector<std::pair<int, int>> meeting_boxes(std::span<const Box<double>> boxe
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) { return boxes[a].low[along] < boxes[b].low[along]; });
   std::vector<std::vector<int>> of_strip(strips.count());  // in this order
-  for (const int i : order)
-    for (int s = strips.of(boxes[i].low[across]); s <= strips.of(boxes[i].high[across]); ++s) of_strip[s].push_back(i);
+  for (const int i : order) {
+    const int last = strips.of(boxes[i].high[across]);
+    for (int s = strips.of(boxes[i].low[across]); s <= last; ++s) of_strip[s].push_back(i);
+  }
 
   for (int s = 0; s < strips.count(); ++s)
     for (auto first = of_strip[s].begin(); first != of_strip[s].end(); ++first) {
