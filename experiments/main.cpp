@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program `experiments` is the main job. It runs the experiments on the default models or on the user's own, and writes
+// The program `experiments` is what experiments/run builds and runs. It measures the default models or the user's own, and writes
 // tables and pictures.
 #include <functional>
 #include <future>

@@ -12,11 +12,19 @@
 namespace refitlab {
 namespace {
 
+// Returns the name of the first processor, with its family and model where Linux has them: a virtual machine may not tell its
+// generation in the name.
 std::string cpu_name() {
+  std::string name = "unknown", numbers;
   std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  return "unknown";
+  for (std::string line; std::getline(info, line) && !line.empty();) {
+    const std::string key = line.substr(0, line.find_last_not_of(" \t", line.find(':') - 1) + 1);
+    const std::string value = line.find(": ") == std::string::npos ? "" : line.substr(line.find(": ") + 2);
+    if (key == "model name") name = value;
+    if (key == "cpu family") numbers += ", family " + value;
+    if (key == "model") numbers += ", model " + value;
+  }
+  return name + numbers;
 }
 
 std::string csv_field(const std::string& text) {

@@ -13,13 +13,12 @@ namespace {
 class BoundedDetector : public Detector {
  public:
   BoundedDetector(const Character& character, std::unique_ptr<Detector> detector)
-      : mesh_(character.mesh),
-        bound_(character.mesh, character.sets, Skinning::spherical),
+      : bound_(character.mesh, character.sets, Skinning::spherical),
         detector_(std::move(detector)) {}
 
   void palette(const ScenarioFrame& frame) override {
     ++tests_;
-    is_asked_ = !are_apart(box(frame.first, frame.first_at), box(frame.second, frame.second_at));
+    is_asked_ = !are_apart(bound_.checked_box(frame.first, frame.first_at), bound_.checked_box(frame.second, frame.second_at));
     if (is_asked_) detector_->palette(frame);
   }
   void skin() override {
@@ -39,14 +38,6 @@ class BoundedDetector : public Detector {
   }
 
  private:
-  Box<double> box(const Pose& pose, const RigidTransform<double>& placement) {
-    bool is_rigid;
-    const Box<double> out = bound_.box(pose, placement, is_rigid);
-    if (!is_rigid) check_pose(mesh_, pose);
-    return out;
-  }
-
-  const SkinnedMesh& mesh_;
   MotionBound bound_;
   const std::unique_ptr<Detector> detector_;
   bool is_asked_ = false;

@@ -15,11 +15,12 @@ class SkinnedBody {
   const ClusterTree& tree() const { return clusters_.tree(); }
   // A frame begins with these clusters' begin.
   SkinnedClusters& clusters() { return clusters_; }
+  // These are seen from clusters().origin(), once refit() has made them.
   const BoxBlock<float>* wide_node_boxes(int n) const { return &boxes_[first_block_[n]]; }
   const Box<float>& wide_node_box(int n) const { return own_[n]; }
-  void tighten(int) {}  // they are the clusters' own
+  void tighten(int) {}  // boxes are those of the clusters' vertices already
 
-  // Merges the boxes of clusters, all of which it needs.
+  // Merges the boxes of the clusters, all of which must have been skinned in this frame.
   void refit();
 
  private:

@@ -7,7 +7,7 @@
 namespace refitlab {
 
 // Returns all kinds: each method that is sound for spherical blending, our clusters, the baselines, the engines that were found
-// when this was configured, and the latter two once more behind a first test of boxes.
+// when this was configured, the latter two once more behind a first test of boxes, and the floors (floors.hpp).
 const std::vector<DetectorKind>& detector_kinds();
 
 // Returns the kind of this name. Throws std::invalid_argument for an unknown name.

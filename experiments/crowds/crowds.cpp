@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #ifdef REFITLAB_TBB
 #include <tbb/parallel_for.h>
@@ -26,6 +28,14 @@ namespace {
 
 constexpr Spacing dense{"dense", 1.41421356, false}, apart{"apart", 4, true};
 constexpr int numbers[] = {10, 30, 100, 300, 1000, 3000, 10000};
+constexpr int men_in_contact = 100;  // at least, over all starts
+
+// Returns the way of collide_all that a detector is compared with: on as many threads, by the same query.
+std::string of_same_kind(const std::string& detector) {
+  for (const char* kind : {"_yes_no", "_on_two_threads"})
+    if (detector.ends_with(kind)) return std::string("clusters") + kind;
+  return "clusters";
+}
 
 #ifdef REFITLAB_TBB
 Workers workers_of(tbb::task_arena& arena) {
@@ -37,10 +47,10 @@ Workers workers_of(tbb::task_arena& arena) {
 }
 #endif
 
-// A Crowd is our own way.
-class Crowd {
+// A BoundedCrowd has the bodies that collide_all compares.
+class BoundedCrowd {
  public:
-  Crowd(const ClusterTree& tree, const Walkers& walkers) : walkers_(walkers) {
+  BoundedCrowd(const ClusterTree& tree, const Walkers& walkers) : walkers_(walkers) {
     for (int i = 0; i < walkers.count(); ++i) {
       bodies_.push_back(std::make_unique<ClusterBody>(tree, Skinning::spherical));
       list_.push_back(bodies_.back().get());
@@ -65,55 +75,77 @@ class Crowd {
 
  private:
   void begin(int f, const Workers& workers) {
-    frame_ = f;
-    workers.for_each(
-        workers.self, list_.size(),
-        [](void* self, std::size_t i) {
-          Crowd& crowd = *static_cast<Crowd*>(self);
-          crowd.list_[i]->begin(crowd.walkers_.poses(crowd.frame_)[i], crowd.walkers_.placements(crowd.frame_)[i]);
-        },
-        this);
+    for_each(workers, list_.size(), [&](std::size_t i) { list_[i]->begin(walkers_.poses(f)[i], walkers_.placements(f)[i]); });
   }
 
   const Walkers& walkers_;
   std::vector<std::unique_ptr<ClusterBody>> bodies_;
   std::vector<ClusterBody*> list_;
-  int frame_ = 0;
 };
 
-// Throws unless all contacts are the same.
-void require_same(std::vector<Contact> expected, std::vector<Contact> found, const std::string& detector) {
-  for (auto* list : {&expected, &found})
-    for (Contact& contact : *list) std::sort(contact.pairs.begin(), contact.pairs.end());
-  const auto is_same = [](const Contact& a, const Contact& b) {
-    return a.first == b.first && a.second == b.second && a.pairs == b.pairs;
+// A CrowdDetector finds the contacts of a frame in one way.
+struct CrowdDetector {
+  std::string name;
+  Query query;
+  std::function<std::vector<Contact>(int frame)> frame;
+};
+
+// Returns the ways to be measured: collide_all, and the baselines, which skin whole bodies. All of these must outlive them.
+std::vector<CrowdDetector> detectors_of(const Walkers& walkers, BoundedCrowd& crowd, SkinnedCrowd& skinned,
+                                        SkinnedCrowd& coarsely_skinned, CrowdCounts& counts,
+                                        const std::optional<Workers>& two_threads) {
+  std::vector<CrowdDetector> out;
+  const auto add = [&](const std::string& name, const auto& frame) {
+    out.push_back({name, Query::full, [=](int f) { return frame(f, Query::full, one_worker()); }});
   };
-  if (!std::equal(expected.begin(), expected.end(), found.begin(), found.end(), is_same))
-    throw std::logic_error("crowds: " + detector + " finds other contacts than clusters");
+  const auto add_all_ways = [&](const std::string& name, const auto& frame) {
+    add(name, frame);
+    out.push_back({name + "_yes_no", Query::yes_no, [=](int f) { return frame(f, Query::yes_no, one_worker()); }});
+    if (two_threads)
+      out.push_back({name + "_on_two_threads", Query::full, [=](int f) { return frame(f, Query::full, *two_threads); }});
+  };
+  add_all_ways("clusters", [&](int f, Query query, const Workers& workers) { return crowd.frame(f, query, counts, workers); });
+  for (const auto& [name, baseline] :
+       {std::pair<std::string, SkinnedCrowd*>("skin_all_float", &skinned), {"skin_all_float_512", &coarsely_skinned}}) {
+    const auto frame_of = [&walkers, baseline = baseline](SkinnedCrowd::Skinned which) {
+      return [=, &walkers](int f, Query query, const Workers& workers) {
+        return baseline->frame(walkers.poses(f), walkers.placements(f), which, query, workers);
+      };
+    };
+    add(name, frame_of(SkinnedCrowd::Skinned::all));
+    add_all_ways(name + "_bounded", frame_of(SkinnedCrowd::Skinned::where_motion_bounds_meet));
+  }
+  return out;
 }
 
-// A Rival skins whole bodies.
-struct Rival {
-  std::string name;
-  SkinnedCrowd* crowd;
-  SkinnedCrowd::Skinned skinned;
-
-  std::vector<Contact> frame(const Walkers& walkers, int f) const {
-    return crowd->frame(walkers.poses(f), walkers.placements(f), skinned);
-  }
-};
+// Throws unless the contacts are those that a full query found: the same bodies, and all of the same pairs of triangles, or one
+// of them.
+void require_same(const std::vector<Contact>& expected, std::vector<Contact> found, const CrowdDetector& detector) {
+  for (Contact& contact : found) std::sort(contact.pairs.begin(), contact.pairs.end());
+  const auto is_same = [&](const Contact& a, const Contact& b) {
+    if (a.first != b.first || a.second != b.second) return false;
+    if (detector.query == Query::full) return a.pairs == b.pairs;
+    return b.pairs.size() == 1 && std::binary_search(a.pairs.begin(), a.pairs.end(), b.pairs[0]);
+  };
+  if (!std::equal(expected.begin(), expected.end(), found.begin(), found.end(), is_same))
+    throw std::logic_error("crowds: " + detector.name + " finds other contacts than clusters");
+}
 
 // Goes through all frames once, and counts and checks everything.
-CrowdResult count(Crowd& crowd, const Walkers& walkers, const Spacing& spacing, const std::vector<Rival>& rivals) {
+CrowdResult count(BoundedCrowd& crowd, const Walkers& walkers, const Spacing& spacing,
+                  const std::vector<CrowdDetector>& detectors) {
   CrowdResult out{.scene = spacing.scene, .characters = walkers.count()};
   CrowdCounts counts;
-  constexpr double share = 1. / Walkers::frames;
-  for (int f = 0; f < Walkers::frames; ++f) {
-    const auto contacts = crowd.frame(f, Query::full, counts, one_worker());
+  const double share = 1. / walkers.frames();
+  for (int f = 0; f < walkers.frames(); ++f) {
+    auto contacts = crowd.frame(f, Query::full, counts, one_worker());
     out.contacts += share * static_cast<double>(contacts.size());
-    for (const Contact& c : contacts) out.triangle_pairs += share * static_cast<double>(c.pairs.size());
+    for (Contact& c : contacts) {
+      out.triangle_pairs += share * static_cast<double>(c.pairs.size());
+      std::sort(c.pairs.begin(), c.pairs.end());
+    }
     out.clusters_skinned += share * crowd.share_of_clusters_skinned();
-    for (const Rival& rival : rivals) require_same(contacts, rival.frame(walkers, f), rival.name);
+    for (const CrowdDetector& detector : detectors) require_same(contacts, detector.frame(f), detector);
   }
   out.pairs_of_boxes = share * static_cast<double>(counts.pairs_of_boxes);
   if (spacing.is_even && counts.pairs_of_boxes > 0) throw std::logic_error("crowds: boxes meet among characters that are apart");
@@ -122,42 +154,39 @@ CrowdResult count(Crowd& crowd, const Walkers& walkers, const Spacing& spacing, 
 
 CrowdResult measure(const ClusterTree& tree, const ClusterTree& coarse, const Walkers& walkers, const Spacing& spacing,
                     const SpeedSettings& speed) {
-  using Skinned = SkinnedCrowd::Skinned;
-  Crowd crowd(tree, walkers);
+  std::optional<Workers> two_threads;
+#ifdef REFITLAB_TBB
+  tbb::task_arena arena(2);
+  two_threads = workers_of(arena);
+#endif
+  BoundedCrowd crowd(tree, walkers);
   SkinnedCrowd skinned(tree, walkers.count()), coarsely_skinned(coarse, walkers.count());
-  const std::vector<Rival> rivals{{"skin_all_float", &skinned, Skinned::all},
-                                  {"skin_all_float_512", &coarsely_skinned, Skinned::all},
-                                  {"skin_all_float_bounded", &skinned, Skinned::where_motion_bounds_meet},
-                                  {"skin_all_float_512_bounded", &coarsely_skinned, Skinned::where_motion_bounds_meet}};
-  CrowdResult out = count(crowd, walkers, spacing, rivals);
+  CrowdCounts unused;
+  const auto detectors = detectors_of(walkers, crowd, skinned, coarsely_skinned, unused, two_threads);
+  CrowdResult out = count(crowd, walkers, spacing, detectors);
 
   std::vector<Timed> timed;
   const auto add = [&](const std::string& name, const auto& frame) {
-    timed.push_back({name, Walkers::frames, [frame] {
-                       for (int f = 0; f < Walkers::frames; ++f) benchmark::DoNotOptimize(frame(f));
+    timed.push_back({name, walkers.frames(), [&walkers, frame] {
+                       for (int f = 0; f < walkers.frames(); ++f) benchmark::DoNotOptimize(frame(f));
                      }});
   };
-  CrowdCounts unused;
-  add("clusters", [&](int f) { return crowd.frame(f, Query::full, unused, one_worker()); });
-  add("clusters_yes_no", [&](int f) { return crowd.frame(f, Query::yes_no, unused, one_worker()); });
-#ifdef REFITLAB_TBB
-  tbb::task_arena two(2);
-  add("clusters_on_two_threads", [&](int f) { return crowd.frame(f, Query::full, unused, workers_of(two)); });
-#endif
-  for (const Rival& rival : rivals) add(rival.name, [&](int f) { return rival.frame(walkers, f); });
+  for (const CrowdDetector& detector : detectors) add(detector.name, detector.frame);
   std::vector<std::vector<Box<double>>> boxes;
-  for (int f = 0; f < Walkers::frames; ++f) boxes.push_back(crowd.motion_bounds(f));
+  for (int f = 0; f < walkers.frames(); ++f) boxes.push_back(crowd.motion_bounds(f));
   add("broad_phase", [&](int f) { return meeting_boxes(boxes[static_cast<std::size_t>(f)]); });
   const auto times = ns_per_item(timed, speed, Clock::wall);
-  for (const Timed& t : timed) out.times.push_back({t.name, median(times.at(t.name)) / 1000});
+  for (const Timed& t : timed)
+    out.times.push_back(
+        {t.name, median(times.at(t.name)) / 1000, median_ratio(times.at(t.name), times.at(of_same_kind(t.name)))});
   return out;
 }
 
 void print(const CrowdResult& r) {
   std::printf("  %6.0f pairs of boxes, %5.0f contacts, %6.0f pairs of triangles, %4.1f %% of the clusters skinned; us a frame:\n",
               r.pairs_of_boxes, r.contacts, r.triangle_pairs, 100 * r.clusters_skinned);
-  for (const auto& [detector, us] : r.times)
-    std::printf("    %-28s %11.1f, %8.3f a man\n", detector.c_str(), us, us / r.characters);
+  for (const auto& [detector, us, ratio] : r.times)
+    std::printf("    %-42s %11.1f, %8.3f a man, %5.2f of ours\n", detector.c_str(), us, us / r.characters, ratio);
 }
 
 }  // namespace
@@ -171,7 +200,9 @@ std::vector<CrowdResult> run_crowds(const CrowdSettings& settings) {
     for (const Spacing& spacing : {dense, apart}) {
       std::cout << "[crowds] " << count << " walking men, " << spacing.scene << "; the last will be " << settings.most_characters
                 << std::endl;
-      rows.push_back(measure(tree, coarse, Walkers(man.clips[0], count, spacing), spacing, settings.speed));
+      // Few men start several times, so that more than a few contacts count.
+      const int starts = std::max(1, men_in_contact / count);
+      rows.push_back(measure(tree, coarse, Walkers(man.clips[0], count, spacing, starts), spacing, settings.speed));
       print(rows.back());
     }
   }
@@ -190,7 +221,10 @@ void write_crowds(const std::vector<CrowdResult>& rows, const std::string& path)
     add("clusters", "contacts", r.contacts, "1");
     add("clusters", "triangle_pairs", r.triangle_pairs, "1");
     add("clusters", "share_of_clusters_skinned", r.clusters_skinned, "1");
-    for (const auto& [detector, us] : r.times) add(detector, "us_per_frame", us, "us");
+    for (const CrowdResult::Time& time : r.times) {
+      add(time.detector, "us_per_frame", time.us, "us");
+      add(time.detector, "ratio_to_clusters", time.ratio_to_clusters, "1");
+    }
   }
   file.write(path);
 }

@@ -24,15 +24,17 @@ struct CrowdResult {
   double triangle_pairs = 0;    // that touch
   double clusters_skinned = 0;  // share of all
   // By detector, the time of a frame in us, for everything from poses and placements to pairs of triangles; only "broad_phase" is
-  // the comparison of the boxes alone. There is no "clusters_on_two_threads" where threads are not to be had.
+  // the comparison of the boxes alone. No name ends with "_on_two_threads" where threads are not to be had.
   struct Time {
     std::string detector;
     double us;
+    double
+        ratio_to_clusters;  // over the time of collide_all on as many threads, by the same query: the median of the repetitions
   };
   std::vector<Time> times;
 };
 
-// Measures the scenes. Throws std::logic_error if two detectors find other contacts.
+// Measures the scenes. Throws std::logic_error if two detectors find different contacts.
 std::vector<CrowdResult> run_crowds(const CrowdSettings& settings);
 
 void write_crowds(const std::vector<CrowdResult>& rows, const std::string& path);

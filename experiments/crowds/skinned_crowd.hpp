@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -21,20 +22,28 @@ class SkinnedCrowd {
   // tree must outlive this.
   SkinnedCrowd(const ClusterTree& tree, int count);
 
-  // Returns what collide_all does, from poses and placements.
-  std::vector<Contact> frame(std::span<const Pose> poses, std::span<const RigidTransform<double>> placements, Skinned skinned);
+  // Returns what collide_all does, from a pose and a placement for each body. Throws ModelError for a pose that check_pose refuses.
+  std::vector<Contact> frame(std::span<const Pose> poses, std::span<const RigidTransform<double>> placements, Skinned skinned,
+                             Query query, const Workers& workers);
 
  private:
-  void skin(int body, const Pose& pose, const RigidTransform<double>& placement);
-  Box<double> box(int body) const;
+  // A Member is a body with what only one thread at a time may use.
+  struct Member {
+    explicit Member(const ClusterTree& tree) : motion_bound(tree.way_of(Skinning::spherical).motion_bound), body(tree) {}
+
+    MotionBound motion_bound;
+    SkinnedBody body;
+    Box<double> box;  // around it in the world: the motion bound, or that of its vertices
+    bool is_skinned = false;
+    ClusterPairScratch scratch;
+    std::vector<int> hits;
+    std::mutex in_work;
+  };
+
+  static void skin(Member& member, const Pose& pose, const RigidTransform<double>& placement);
 
   const ClusterTree& tree_;
-  MotionBound motion_bound_;
-  std::vector<std::unique_ptr<SkinnedBody>> bodies_;
-  std::vector<Box<double>> boxes_;
-  std::vector<bool> is_skinned_;
-  ClusterPairScratch scratch_;
-  std::vector<int> hits_;
+  std::vector<std::unique_ptr<Member>> members_;
 };
 
 }  // namespace refitlab

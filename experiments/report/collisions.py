@@ -36,7 +36,7 @@ class Model:
         return row.value if row else None
 
     def heads(self):
-        """"Returns heads such as "light, 50 pairs", by scene."""
+        """Returns heads such as "light, 50 pairs", by scene: the mean number of pairs over the frames."""
         pairs = [self.value(scene, "full", "brute_force", quantity="pairs") for scene in self.scenes]
         return [scene if n is None else f"{scene}, {n:.0f} pairs" for scene, n in zip(self.scenes, pairs)]
 

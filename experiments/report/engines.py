@@ -19,7 +19,7 @@ METHODS = {
     "sampled_joint_boxes": ("the union of joint boxes at fixed steps, weights ignored", "Babylon.js"),
     "joint_capsules": ("a capsule a joint, weighted radii", "ours"),
     "rounded_boxes": ("a rounded box a joint, weighted radii", "ours"),
-    "motion_bound": ("a ball a group of joint-sets, any skinning", "ours"),
+    "motion_bound": ("the motion bound: a ball a group of joint-sets, any skinning", "ours"),
 }
 # The goals compare this method with joint boxes. They are the greatest mean volume and cost.
 OURS, GOALS = "rounded_boxes", {"volume": 0.8, "cost": 1.0}

@@ -162,6 +162,7 @@ def numbers(results, root):
     out["crowd.men"], out["crowd.ms"], out["crowd.contacts"] = whole_number(men), digits(us / 1000, 2), whole_number(contacts)
     out["crowd.gain"] = digits(crowds.gain(results, "dense", men), 2)
     out["crowd.apart.us"] = digits(results.number("crowds", scene="apart", characters=men, variant="clusters", quantity="us_per_frame") / men, 2)
+    out["crowd.apart.bound.us"] = digits(min(us for n, us in crowds.fastest_times(results, "apart", crowds.variants()) if n == men) / men, 2)
     out["rounding.checks"] = whole_number(total(results, "rounding", quantity="exact_checks"))
     out["rounding.misses"] = whole_number(total(results, "rounding", quantity="missed_vertices") +
                                           total(results, "rounding", quantity="missed_vertices_in_float"))

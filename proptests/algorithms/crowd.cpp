@@ -11,6 +11,7 @@
 #include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/animated_character.hpp"
+#include "proptests/gen/accepted.hpp"
 #include "proptests/gen/deformations.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
@@ -50,7 +51,7 @@ CrowdOutcome outcome_of(std::span<ClusterBody* const> bodies, const Workers& wor
 
 void contacts_are_those_of_all_pairs(Suite& t) {
   t.holds("the contacts of a crowd are those of its pairs, one after the other, on one thread and on two",
-          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3}, [] {
+          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3, .tags_at_least = {{"in contact", 0.3}}}, [] {
             const auto plan = gen::classified_plan();
             const auto c = bake(gen::make_mesh(plan));
             const ClusterTree tree(c, {.most_triangles = 10, .most_children = 9});
@@ -230,10 +231,38 @@ void in_another_order(Suite& t) {
   });
 }
 
+void made_on_several_threads(Suite& t) {
+  t.example("bodies of a new tree, skinned in all ways and made on eight threads at once, share what bodies of their way share",
+            {}, [] {
+              const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 6, 5, 4, 1}));
+              constexpr int count = 32;
+              long wrong = 0;
+              for (int times = 0; times < 5; ++times) {
+                const ClusterTree tree(c);
+                std::array<const WayOfSkinning*, count> ways{};
+                std::array<std::unique_ptr<ClusterBody>, count> bodies;
+                for_each(oracle::workers_on_threads<8>(), count, [&](std::size_t i) {
+                  const Skinning skinning = gen::all_skinnings[i % std::size(gen::all_skinnings)];
+                  bodies[i] = std::make_unique<ClusterBody>(tree, skinning);
+                  ways[i] = &tree.way_of(skinning);
+                  bodies[i]->begin(reference_pose(c.mesh), {});
+                });
+                const ClusterTree copy = tree;
+                for (std::size_t i = 0; i < count; ++i) {
+                  const std::size_t way = i % std::size(gen::all_skinnings);
+                  wrong += ways[i] != ways[way] || ways[i] != &copy.way_of(gen::all_skinnings[way]);
+                  wrong += bodies[i]->motion_bound().low != bodies[way]->motion_bound().low;
+                }
+              }
+              return Checked(wrong == 0, 5 * count);
+            });
+}
+
 }  // namespace
 
 PROPTEST(crowd) {
   contacts_are_those_of_all_pairs(t);
+  made_on_several_threads(t);
   t.holds(
       "contacts of bodies of different trees and skinnings, affine and deformed ones among them, are those of testing all pairs",
       {.number_type = "double",

@@ -26,6 +26,7 @@
 #include "algorithms/runtime/batch/batch_refit.hpp"
 #include "algorithms/runtime/batch/packed_vertices.hpp"
 #include "algorithms/runtime/collide/crowd.hpp"
+#include "algorithms/runtime/collide/meeting_boxes.hpp"
 #include "algorithms/runtime/mesh/quantize.hpp"
 #include "algorithms/runtime/refit/frame_refits.hpp"
 #include "algorithms/runtime/skinning/skin.hpp"
@@ -255,6 +256,12 @@ std::vector<Entry> query_entries() {
                               collide_all(bodies, Query::full, counts, two ? oracle::workers_on_threads<2>() : one_worker()))
                            out.add(contact.first), out.add(contact.second), out.add_all(contact.pairs);
                        }});
+  entries.push_back({"meeting_boxes", [](const World&, Bytes& out) {
+                       // Two boxes are apart by a denormal. They are apart only if denormals are kept.
+                       const std::vector<Box<double>> boxes{
+                           {{0, 0, 0}, {0x1p-1060, 1, 1}}, {{0x1p-1050, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}};
+                       for (const auto& [a, b] : meeting_boxes(boxes)) out.add(a), out.add(b);
+                     }});
   entries.push_back({"triangles_meet, filter_triangles, place", [](const World& w, Bytes& out) {
                        // A vertex of one triangle is off the other's plane by a denormal. They are apart only if denormals are
                        // kept.

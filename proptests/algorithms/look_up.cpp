@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests the look-up of numbers through the smallest kernel that does it, so that every target's own way is tried: pieces of one
-// joint that only moves are boxed where the table says the joint is.
+// Tests the look-up of numbers through kernels that do it, so that every target's own way is tried. Vertices of candidates are looked
+// up by the places that triangles have, which are looked up themselves. Pieces of one joint that only moves are boxed where the
+// table says the joint is, which packs of sixteen look up, too.
 #include "algorithms/runtime/packs/look_up.hpp"
 
 #include <algorithm>
 #include <random>
 #include <vector>
 
+#include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
 #include "algorithms/runtime/collide/motion_bound_piece_kernel.hpp"
 #include "algorithms/runtime/packs/lanes.hpp"
 #include "proptests/harness/harness.hpp"
@@ -45,9 +47,46 @@ int misplaced(const std::int32_t (&joint)[motion_bound_lanes], int count, Target
   return wrong;
 }
 
+// Counts the coordinates of candidates that are not those of their triangle's vertices. As many triangles as places.
+int misplaced_vertices(int count, std::mt19937& random, Target target) {
+  const int places = blocks_for<float>(count) * Lanes<float>::count;
+  std::vector<Lanes<float>> xyz(3 * places / Lanes<float>::count + 1);
+  float* const numbers = xyz.data()->lane.data();
+  for (int i = 0; i < 3 * places; ++i) numbers[i] = static_cast<float>(i);
+  std::vector<std::uint16_t> vertices[3];
+  for (auto& list : vertices) {
+    list.resize(static_cast<std::size_t>(short_look_up_size(count)), 0xffff);  // which is no place
+    for (int t = 0; t < count; ++t) list[static_cast<std::size_t>(t)] = static_cast<std::uint16_t>(random() % count);
+    list[random() % count] = static_cast<std::uint16_t>(count - 1);
+  }
+  const ClusterTriangles triangles{count, {vertices[0].data(), vertices[1].data(), vertices[2].data()}};
+  Candidates candidates;
+  candidates.reserve(count, places);
+  const int found = 1 + static_cast<int>(random() % count);
+  for (auto& triangle : candidates.triangle) triangle = static_cast<std::int32_t>(random() % count);
+  candidates.triangle[0] = count - 1;
+  const float offset[] = {0, 0.5f, 0.25f};
+  Box<float> all;
+  const CandidateArrays out = candidates.arrays();
+  cluster_pair_kernels(target).place(triangles, numbers, places, offset, found, out, all);
+  int wrong = 0;
+  for (int k = 0; k < found; ++k)
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < 3; ++i)
+        wrong += out.vertices[3 * c + i][k] != static_cast<float>(i * places + triangles.vertex[c][out.triangle[k]]) + offset[i];
+  return wrong;
+}
+
 }  // namespace
 
 PROPTEST(look_up) {
+  t.example("every candidate has the vertices of its triangle, of any number of places, on every target", {}, [] {
+    std::mt19937 random(1);
+    long wrong = 0, tried = 0;
+    for (const Target target : available_targets())
+      for (int count = 1; count <= most_in_registers + 64; ++count) wrong += misplaced_vertices(count, random, target), ++tried;
+    return Checked(wrong == 0, tried);
+  });
   t.example("every lane has the number at its own place, in tables of any size, on every target", {}, [] {
     std::mt19937 random(1);
     long wrong = 0, tried = 0;

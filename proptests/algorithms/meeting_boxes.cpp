@@ -44,7 +44,8 @@ std::vector<Box<double>> boxes_on_a_grid(int count, const std::array<int, 3>& ed
 
 void pairs_are_those_of_all(Suite& t) {
   t.holds("the boxes that meet are those of all pairs that do, wherever they are and however large",
-          {.number_type = "double", .cases = 400, .degenerate_at_least = 0.3}, [] {
+          {.number_type = "double", .cases = 400, .degenerate_at_least = 0.3, .tags_at_least = {{"some", 0.5}, {"none", 0.05}}},
+          [] {
             std::mt19937 random(*gen::between(0u, 1u << 30));
             const int count = *rc::gen::weightedElement<int>({{1, 0}, {1, 1}, {1, 2}, {3, 30}, {3, 300}});
             std::array<int, 3> edges;

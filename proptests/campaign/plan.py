@@ -25,7 +25,7 @@ def planned(suites, only, seeds, cases, targets, fuzz_seconds, mutants, programs
     if targets and not seeds:
         raise PlanError("each fuzz target is run with each seed: --fuzz-seconds takes --seeds of at least 1")
     if size and not theorems:
-        raise PlanError("no theorem's name contains what --only names; proptests/exhaustive/run --list lists them")
+        raise PlanError("no theorem's name contains what --only names; build/release/proptests/exhaustive --list lists them")
     chosen = [s for s in suites if not only or any(text in s for text in only)] if seeds else []
     if seeds and not chosen:
         raise PlanError("no suite's stem contains what --only names; proptests/run --list lists them")

@@ -21,9 +21,6 @@ struct Columns {
   alignas(64) double of[8][palette_lanes];
 
   S load(int i, int first) const { return S(of[i] + first, std::experimental::vector_aligned); }
-  void clear(int i) {
-    for (double& x : of[i]) x = 0;
-  }
   template <int D>
   void store(int i, int first, const Vec<S, D>& v) {
     for (int k = 0; k < D; ++k) v[k].copy_to(of[i + k] + first, std::experimental::vector_aligned);
@@ -83,9 +80,7 @@ template <int N>
 void run_joints(const PaletteSource* sources, const PalettePack& pack, bool are_centers_fixed, const double* pose,
                 const PaletteNumbers& out) {
   PackLanes<N> of_pack(sources, pack, pose);
-  Columns centers, images[N];  // images: C_j r_c, an unused one, then the dual part
-  for (int j = 0; j < N; ++j) images[j].clear(3);
-  for (int i = 3; i < 8; ++i) centers.clear(i);
+  Columns centers{}, images[N]{};  // images: C_j r_c, an unused one, then the dual part
   for (int first = 0; first < pack.count; first += width) {
     const JointLanes<N> lanes(of_pack, first, are_centers_fixed);
     centers.store(0, first, lanes.center);
@@ -149,11 +144,8 @@ void run_float_joints(const PaletteSource* sources, const PalettePack& pack, boo
   RigidTransform<S> placement;
   for (int i = 0; i < 4; ++i) placement.rotation[i] = S(at.rotation[i]);
   for (int i = 0; i < 3; ++i) placement.translation[i] = S(at.translation[i]);
-  Columns centers, placed[N];  // centers: r and the slack
-  for (int j = 0; j < N; ++j) placed[j].clear(7);
-  for (int i = 4; i < 8; ++i) centers.clear(i);
-  Columns rest;  // of one joint: the last row of the matrix
-  for (int i = 4; i < 8; ++i) rest.clear(i);
+  Columns centers{}, placed[N]{};  // centers: r and the slack
+  Columns rest{};                  // of one joint: the last row of the matrix
   for (int first = 0; first < pack.count; first += width) {
     const JointLanes<N> lanes(of_pack, first, are_centers_fixed);
     const Vec<S, 3> offset = lanes.center - of_pack.middle(first);

@@ -62,9 +62,7 @@ void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placemen
   if (!deformation.is_none() || is_no_bound_expected_) {
     check_pose(mesh, pose);
   } else {
-    bool is_rigid = true;
-    bound = motion_bound_.box(pose, placement, is_rigid);
-    if (!is_rigid) check_pose(mesh, pose);
+    bound = motion_bound_.checked_box(pose, placement);
   }
   const DeformedReference* const reference = deform(deformation);
   // Nothing is refused from here on.

@@ -61,8 +61,8 @@ struct WideNode {
 
 // A WayOfSkinning is what all bodies of a tree that are skinned in one way have in common.
 struct WayOfSkinning {
-  MotionBound motion_bound;  // for copies of it
-  PalettePacks palettes;     // near each other for clusters that are
+  MotionBound motion_bound;  // of which each body has a copy
+  PalettePacks palettes;     // Joint-sets of clusters that are near each other are near each other in the packs.
 };
 
 class ClusterTree {
@@ -78,7 +78,8 @@ class ClusterTree {
   const std::vector<Cluster>& clusters() const { return clusters_; }
   const PackedVertices& vertices() const { return vertices_; }  // a group for each cluster
   const FloatVertices& floats() const { return floats_; }       // the same
-  // It is made when it is first asked for. Several threads may ask at a time.
+  // Returns what bodies that are skinned in this way share, which lives as long as the tree or a copy of it. It is made when it is
+  // first asked for. Several threads may ask at a time.
   const WayOfSkinning& way_of(Skinning skinning) const;
 
   // Returns the triangles of a cluster: their vertices by position in it, and their indices in the model.

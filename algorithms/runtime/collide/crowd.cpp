@@ -2,7 +2,6 @@
 #include "algorithms/runtime/collide/crowd.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -28,35 +27,7 @@ void check(std::span<ClusterBody* const> bodies) {
                                   std::to_string(order[i - 1].second) + " again");
 }
 
-// Calls body(i) for each i < count. The first exception that one of them throws is thrown here, after all have ended.
-template <class Body>
-void for_each(const Workers& workers, std::size_t count, const Body& body) {
-  struct Task {
-    const Body& body;
-    std::mutex mutex;
-    std::exception_ptr failure;
-  } task{body, {}, {}};
-  const auto run = [](void* data, std::size_t i) {
-    Task& of = *static_cast<Task*>(data);
-    try {
-      of.body(i);
-    } catch (...) {
-      const std::scoped_lock lock(of.mutex);
-      if (!of.failure) of.failure = std::current_exception();
-    }
-  };
-  workers.for_each(workers.self, count, run, &task);
-  if (task.failure) std::rethrow_exception(task.failure);
-}
-
 }  // namespace
-
-Workers one_worker() {
-  return {[](void*, std::size_t count, void (*task)(void*, std::size_t), void* data) {
-            for (std::size_t i = 0; i < count; ++i) task(data, i);
-          },
-          nullptr};
-}
 
 std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query query, CrowdCounts& counts, const Workers& workers) {
   const DefaultFloatEnvironment environment;

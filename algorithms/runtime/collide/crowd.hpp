@@ -3,9 +3,8 @@
 // meet.
 #pragma once
 
-#include <cstddef>
-
 #include "algorithms/runtime/collide/cluster_collide.hpp"
+#include "algorithms/runtime/collide/workers.hpp"
 
 namespace refitlab {
 
@@ -19,15 +18,6 @@ struct CrowdCounts {
   long pairs_of_boxes = 0;  // the pairs of bodies whose boxes meet
   QueryCounts queries;
 };
-
-// This is the interface of a thread pool: for_each(self, count, task, data) calls task(data, i) once for each i < count, in any
-// order and on any threads. It returns when all calls have returned. task throws nothing.
-struct Workers {
-  void (*for_each)(void* self, std::size_t count, void (*task)(void* data, std::size_t i), void* data);
-  void* self = nullptr;
-};
-// Runs all tasks on the calling thread alone.
-Workers one_worker();
 
 // Returns the contacts among bodies that have begun the same frame, sorted by first and second. Nothing is remembered from
 // frame to frame. Only one thread works on a body at a time, so more threads pay where bodies have few neighbours. Neither the

@@ -11,7 +11,7 @@
 namespace refitlab {
 namespace {
 
-// A Range is that of the finite ones among the boxes' lower sides along an axis.
+// A Range has the least and the greatest finite lower side of the boxes along an axis.
 struct Range {
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
 
@@ -60,9 +60,11 @@ std::vector<std::pair<int, int>> meeting_boxes(std::span<const Box<double>> boxe
   std::sort(std::begin(axes), std::end(axes), [&](int a, int b) { return ranges[a].length() > ranges[b].length(); });
   const int along = axes[0], across = axes[1];
 
-  // In a square of n bodies with room for each, a strip is then about two bodies wide.
-  const bool are_in_a_row = !(ranges[across].length() > 0 && std::isfinite(ranges[across].length()));
-  const Strips strips(ranges[across], are_in_a_row ? 1 : 1 + static_cast<int>(std::sqrt(static_cast<double>(boxes.size())) / 2));
+  // If the boxes fill a rectangle, a strip is about two of them wide. If they are in one row, or a length is infinite, one strip is
+  // enough: that only saves time.
+  const double share = ranges[across].length() / ranges[along].length();  // a NaN if both are 0, or infinite
+  const double side = share > 0 ? std::sqrt(share * static_cast<double>(boxes.size())) / 2 : 0;
+  const Strips strips(ranges[across], 1 + static_cast<int>(side));
 
   std::vector<int> order(boxes.size());
   std::iota(order.begin(), order.end(), 0);

@@ -11,8 +11,9 @@
 namespace refitlab {
 
 // Returns the pairs of boxes that are not apart, each with the smaller index first, in increasing order. Boxes may be infinite, but
-// no side may be NaN. For n boxes that are spread over a plane, and as large as their distances, it takes O(n log n) time; in any
-// case O(n^2) time, and O(n^1.5) memory besides the result.
+// no side may be NaN, and no low side greater than the high one. For n boxes that are spread over a rectangle of a plane, and are
+// about as large as their distances, it takes O(n log n) time. It never takes more than O(n^2.5) time, nor more than O(n^1.5) memory
+// besides the result; so much it takes if half of the boxes are infinite.
 std::vector<std::pair<int, int>> meeting_boxes(std::span<const Box<double>> boxes);
 
 }  // namespace refitlab

@@ -144,6 +144,7 @@ Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& pla
   const DefaultFloatEnvironment environment;
   check_joint_count(mesh_, pose.size());
   defect_.reset();
+  target_ = target;
   const auto& packs = groups_->packs;
   MotionBoundBox bounds;
   motion_bound_kernels(target).bound(pose[0].rotation.data(), static_cast<int>(pose.size()), placement.rotation.data(),
@@ -166,6 +167,13 @@ Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& pla
   return box;
 }
 
+Box<double> MotionBound::checked_box(const Pose& pose, const RigidTransform<double>& placement) {
+  bool is_rigid;
+  const Box<double> out = box(pose, placement, is_rigid);
+  if (!is_rigid) check_pose(mesh_, pose);
+  return out;
+}
+
 Box<double> MotionBound::box(const AffinePose& pose, const RigidTransform<double>& placement) const {
   const DefaultFloatEnvironment environment;
   check_joint_count(mesh_, pose.size());
@@ -182,15 +190,15 @@ Box<double> MotionBound::box(const AffinePose& pose, const RigidTransform<double
   return box;
 }
 
-bool MotionBound::boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, std::span<FlippedBox> out, Target target) {
+bool MotionBound::boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, std::span<FlippedBox> out) {
   const DefaultFloatEnvironment environment;
   for (FlippedBox& b : out) b.set_all(std::numeric_limits<float>::infinity());
   if (!defect_) {
     defect_ = 0;
     for (const auto& joint : pose) defect_ = std::max(*defect_, std::abs(squared_norm(joint.rotation) - 1));
   }
-  return bound_motion_pieces(target)(numbers_.data()->lane.data(), static_cast<int>(pose.size()), padded_joints_, packs.data(),
-                                     static_cast<int>(packs.size()), deviates(), error_share(*defect_), out.data());
+  return bound_motion_pieces(target_)(numbers_.data()->lane.data(), static_cast<int>(pose.size()), padded_joints_, packs.data(),
+                                      static_cast<int>(packs.size()), deviates(), error_share(*defect_), out.data());
 }
 
 }  // namespace refitlab

@@ -34,6 +34,8 @@ class MotionBound {
   }
   // Returns the same. is_rigid says that check_pose would accept the pose; if it is false, only check_pose can tell.
   Box<double> box(const Pose& pose, const RigidTransform<double>& placement, bool& is_rigid, Target target = best_target());
+  // Returns the same for any pose. Throws ModelError for one that check_pose refuses.
+  Box<double> checked_box(const Pose& pose, const RigidTransform<double>& placement);
 
   // Returns a box in the world around everything that apply(placement, skin()) yields, for linear skinning by affine joints. It
   // looks at all joints in double (affine_boxes.hpp). pose must be as check_pose requires; throws
@@ -41,11 +43,10 @@ class MotionBound {
   Box<double> box(const AffinePose& pose, const RigidTransform<double>& placement) const;
 
   // Makes boxes around the targets of packs, turned by the placement but not moved, in the pose and placement of the last call of
-  // box, whose result must have been finite. They hold the targets once they are grown by lost(). out is by target. If no bound
+  // box, whose result must have been finite, by the kernels of that call. They hold the targets once they are grown by lost(). out is by target. If no bound
   // is known for some target, it returns false, and out must not be used. It is not for Skinning::hejl, because these packs do
   // not have its rotation centers.
-  bool boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, std::span<FlippedBox> out,
-             Target target = best_target());
+  bool boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, std::span<FlippedBox> out);
   // Returns what rounding loses of each coordinate of these boxes, in that pose.
   double lost() const { return least_length + lost_of_joints_; }
 
@@ -80,7 +81,8 @@ class MotionBound {
   const int padded_joints_;
   std::shared_ptr<const Groups> groups_;
   // These are the data of the current frame.
-  std::vector<Lanes<float>> numbers_;
+  std::vector<Lanes<float>> numbers_;  // of the placed joints, as the target's kernels keep them
+  Target target_ = best_target();
   std::vector<std::uint32_t> unbounded_;
   double lost_of_joints_ = 0;
   std::optional<double> defect_;  // the largest | ||q||^2 - 1 | of the joints, once nodes are bounded

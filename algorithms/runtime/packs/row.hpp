@@ -34,7 +34,7 @@ template <class Row, class T>
 [[gnu::always_inline]] inline void read_floats(const double* first, Row<float, 4>& row) {
   Row<double, 4> doubles;
   read_row(first, doubles);
-  row = __builtin_convertvector(doubles, decltype(row + row));
+  row = __builtin_convertvector(doubles, decltype(row + row));  // that of row alone is a reference
 }
 
 }  // namespace refitlab

@@ -19,12 +19,13 @@ inline void transpose(Row<float, 4> (&rows)[4]) {
   rows[3] = __builtin_shufflevector(high, high2, 2, 3, 6, 7);
 }
 
-// Records of eight floats, of which there are a multiple of four, become eight rows with a number of each record: number i of record k
+// Records of eight floats become eight rows with a number of each record: number i of record k
 // goes to to[i * to_stride + k]. read(k, i, four) reads four numbers of record k, from number i on.
 template <int records, class Read>
 [[gnu::always_inline]] inline void transpose_records(const Read& read, float* to, int to_stride) {
   using Four = Row<float, 4>;
   using Eight = Row<float, 8>;
+  static_assert(records % 4 == 0);
   // The halves of eight records are put together as they are read, because to exchange halves of registers takes long.
   constexpr int at_once = records % 8 == 0 ? 8 : 4;
   for (int i = 0; i < 8; i += 4)
