@@ -56,7 +56,7 @@ REFITLAB_FIELDS(CollisionResult, model, pose, scene, detector, origin, query, di
                 vertices, share, us, stages, to_engine, to_skin_all, to_repaired)
 REFITLAB_FIELDS(TriangleGrowth, triangles, result)
 REFITLAB_FIELDS(JointGrowth, joints, sets, many, own, below, own_root, root_below, root_known, ratio, ratio_below)
-REFITLAB_FIELDS(CrowdResult::Time, detector, us)
+REFITLAB_FIELDS(CrowdResult::Time, detector, us, ratio_to_clusters)
 REFITLAB_FIELDS(CrowdResult, scene, characters, boxes, contacts, triangles, skinned, times)
 REFITLAB_FIELDS(Miss, vertex, time, by)
 REFITLAB_FIELDS(ClipMisses, way, whole, clusters, worst, of_cluster, undecided)

@@ -56,7 +56,7 @@ void contacts_are_those_of_all_pairs(Suite& t) {
             const auto c = bake(gen::make_mesh(plan));
             const ClusterTree tree(c, {.most_triangles = 10, .most_children = 9});
             std::mt19937 random(plan.seed);
-            std::uniform_real_distribution<double> place(-6, 6);
+            std::uniform_real_distribution<double> place(-3, 3);
             // Dual quaternions far apart have no bound at all, and such a body is compared with all others.
             const Skinning skinning = *rc::gen::element(Skinning::spherical, Skinning::dual_quaternion);
             const double spread = *rc::gen::element(0.5, 3.0);

@@ -18,6 +18,11 @@ using namespace refitlab;
 
 constexpr Spacing crowded{"crowded", 0.7, false}, even{"even", 4, true};
 
+const Model& small_man() {
+  static const Model man = make_man(400);
+  return man;
+}
+
 // Returns the contacts of a frame, by testing all pairs of triangles of all men.
 std::vector<Contact> all_contacts(const Character& man, const Walkers& walkers, int frame) {
   std::vector<std::vector<Point3>> points;
@@ -52,7 +57,7 @@ void contacts_are_those_of_all_pairs(Suite& t) {
       "a dozen walking men, all skinned or where motion bounds meet, on one thread and on two: the contacts are those of all "
       "pairs of triangles",
       {}, [] {
-        const auto man = bake_animated(make_man(4));
+        const auto man = bake_animated(small_man());
         const Walkers walkers(man.clips[0], 12, crowded, 2);
         const ClusterTree tree(man);
         SkinnedCrowd crowd(tree, walkers.count());
@@ -70,7 +75,7 @@ void contacts_are_those_of_all_pairs(Suite& t) {
         return Checked(wrong == 0 && contacts >= 10, tried, std::to_string(contacts) + " contacts");
       });
   t.example("a pose that no query accepts is refused by the thread that asked, whoever found it", {}, [] {
-    const auto man = bake_animated(make_man(4));
+    const auto man = bake_animated(small_man());
     const ClusterTree tree(man);
     const Walkers walkers(man.clips[0], 3, crowded, 1);
     auto poses = walkers.poses(0);
@@ -92,7 +97,7 @@ void contacts_are_those_of_all_pairs(Suite& t) {
 void men_walk_ahead(Suite& t) {
   t.example("men walk 1.2 metres a second where they look, and start elsewhere each time, in a square with room for each", {},
             [] {
-              const auto man = make_man(4);
+              const Model& man = small_man();
               constexpr int count = 50, starts = 3;
               bool ok = true;
               for (const Spacing& spacing : {crowded, even}) {
@@ -119,7 +124,7 @@ void men_walk_ahead(Suite& t) {
               return Checked(ok, 2 * count * starts * Walkers::frames_of_a_start);
             });
   t.example("evenly spaced men are as far apart as they should be, and no two have the same pose", {}, [] {
-    const auto man = make_man(4);
+    const Model& man = small_man();
     const Walkers walkers(man.clips[0], 10, even, 1);
     bool ok = true;
     for (std::size_t a = 0; a < 10; ++a)
