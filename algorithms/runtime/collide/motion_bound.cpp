@@ -169,7 +169,7 @@ Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& pla
 
 Box<double> MotionBound::checked_box(const Pose& pose, const RigidTransform<double>& placement) {
   bool is_rigid;
-  const Box<double> out = box(pose, placement, is_rigid);
+  Box<double> out = box(pose, placement, is_rigid);
   if (!is_rigid) check_pose(mesh_, pose);
   return out;
 }
