@@ -40,17 +40,15 @@ def gain(results, scene, characters, kind=""):
 def crowds_section(results, page):
     scenes = []
     for scene in results.distinct("crowds", "scene"):
-        rows = []
+        rows, fastest = [], {kind: dict(fastest_times(results, scene, variants(kind))) for kind in KINDS}
         for characters in results.distinct("crowds", "characters", scene=scene):
             def of(quantity, variant="clusters"):
                 return results.number_or_none("crowds", scene=scene, characters=characters, variant=variant, quantity=quantity)
             def a_man(us):
                 return None if us is None else us / characters
-            pairs_of_times = [(of("us_per_frame", "clusters" + kind), dict(fastest_times(results, scene, variants(kind))).get(characters), gain(results, scene, characters, kind))
-                              for kind in KINDS]
             rows.append({"characters": characters, **{q: of(q) for q in ("pairs_of_boxes", "contacts", "triangle_pairs", "share_of_clusters_skinned")},
                          "us": [a_man(of("us_per_frame", variant)) for _, variant in BASELINES],
-                         "kinds": [(a_man(ours), a_man(fastest), ratio) for ours, fastest, ratio in pairs_of_times],
+                         "kinds": [(a_man(of("us_per_frame", "clusters" + kind)), a_man(fastest[kind].get(characters)), gain(results, scene, characters, kind)) for kind in KINDS],
                          "broad_phase": 1000 * a_man(of("us_per_frame", "broad_phase"))})
         lines = [Line(label, times(results, scene, variant)) for label, variant in LINES]
         scenes.append({"name": scene, "rows": rows, "exponent": exponent(results, scene, "clusters"),
