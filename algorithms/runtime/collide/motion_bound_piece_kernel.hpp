@@ -26,8 +26,8 @@ struct MotionBoundPiecePack {
 };
 
 // Merges the bounds of pieces into boxes[target], turned by the placement but not moved. numbers are as
-// MotionBoundKernels::bound of the same target left them for this pose and placement, and off is error_share. Returns false if no bound is
-// known for some lane.
+// MotionBoundKernels::bound of the same target left them for this pose and placement, and off is error_share. Returns false if no
+// bound is known for some lane.
 using BoundMotionPieces = bool (*)(float* numbers, int joint_count, int joint_stride, const MotionBoundPiecePack* packs,
                                    int pack_count, bool deviates, float off, FlippedBox* boxes);
 

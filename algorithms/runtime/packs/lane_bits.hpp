@@ -16,8 +16,8 @@ namespace refitlab {
 #if defined(__AVX2__) && !defined(__AVX512F__)
 namespace avx2 {
 
-// For each subset of eight lanes, this has the numbers of those in it, a byte each, the first lowest. A table is as fast as pdep and pext
-// where these are fast, and they take hundreds of cycles on AMD's processors before Zen 3.
+// For each subset of eight lanes, this has the numbers of those in it, a byte each, the first lowest. A table is as fast as pdep
+// and pext where these are fast, and they take hundreds of cycles on AMD's processors before Zen 3.
 inline constexpr std::array<std::uint64_t, 256> numbers_of_lanes = [] {
   std::array<std::uint64_t, 256> numbers{};
   for (std::uint32_t bits = 0; bits < 256; ++bits)
