@@ -1,40 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/crowds/skinned_crowd.hpp"
 
+#include <algorithm>
+
 #include "algorithms/runtime/collide/meeting_boxes.hpp"
 
 namespace refitlab {
 
-SkinnedCrowd::SkinnedCrowd(const ClusterTree& tree, int count) : tree_(tree) {
+namespace {
+
+constexpr std::size_t bodies_at_once = 16;  // of a task that makes their boxes
+
+}  // namespace
+
+SkinnedCrowd::SkinnedCrowd(const ClusterTree& tree, int count)
+    : tree_(tree),
+      boxes_(count),
+      is_skinned_(count),
+      motion_bounds_((count + bodies_at_once - 1) / bodies_at_once, tree.way_of(Skinning::spherical).motion_bound) {
   for (int i = 0; i < count; ++i) members_.push_back(std::make_unique<Member>(tree));
 }
 
-void SkinnedCrowd::skin(Member& member, const Pose& pose, const RigidTransform<double>& placement) {
-  SkinnedBody& body = member.body;
+void SkinnedCrowd::skin(std::size_t i, const Pose& pose, const RigidTransform<double>& placement) {
+  SkinnedBody& body = members_[i]->body;
   body.clusters().begin(pose, placement, placement.translation);
   body.clusters().skin_all();
   body.refit();
-  member.box = box_of<double>(body.wide_node_box(0));
-  member.box.low += body.clusters().origin(), member.box.high += body.clusters().origin();
-  member.box.grow(body.clusters().lost());
-  member.is_skinned = true;
+  Box<double>& box = boxes_[i];
+  box = box_of<double>(body.wide_node_box(0));
+  box.low += body.clusters().origin(), box.high += body.clusters().origin();
+  box.grow(body.clusters().lost());
+  is_skinned_[i] = true;
 }
 
 std::vector<Contact> SkinnedCrowd::frame(std::span<const Pose> poses, std::span<const RigidTransform<double>> placements,
                                          Skinned skinned, Query query, const Workers& workers) {
-  for_each(workers, members_.size(), [&](std::size_t i) {
-    Member& member = *members_[i];
-    member.is_skinned = false;
-    if (skinned == Skinned::all) {
-      check_pose(tree_.character().mesh, poses[i]);
-      skin(member, poses[i], placements[i]);
-    } else {
-      member.box = member.motion_bound.checked_box(poses[i], placements[i]);
-    }
+  std::fill(is_skinned_.begin(), is_skinned_.end(), false);
+  for_each(workers, motion_bounds_.size(), [&](std::size_t task) {
+    const std::size_t end = std::min(members_.size(), (task + 1) * bodies_at_once);
+    for (std::size_t i = task * bodies_at_once; i < end; ++i)
+      if (skinned == Skinned::all) {
+        check_pose(tree_.character().mesh, poses[i]);
+        skin(i, poses[i], placements[i]);
+      } else {
+        boxes_[i] = motion_bounds_[task].checked_box(poses[i], placements[i]);
+      }
   });
-  std::vector<Box<double>> boxes;
-  for (const auto& member : members_) boxes.push_back(member->box);
-  const auto pairs = meeting_boxes(boxes);
+  const auto pairs = meeting_boxes(boxes_);
   std::vector<Contact> contacts(pairs.size());
   for_each(workers, pairs.size(), [&](std::size_t i) {
     const auto [a, b] = pairs[i];
@@ -42,8 +54,8 @@ std::vector<Contact> SkinnedCrowd::frame(std::span<const Pose> poses, std::span<
     const std::scoped_lock both(first.in_work, second.in_work);
     // A box of vertices is smaller than a motion bound, so the second body need not be skinned if the first one's is apart from it.
     for (const int k : {a, b}) {
-      if (are_apart(first.box, second.box)) return;
-      if (!members_[k]->is_skinned) skin(*members_[k], poses[k], placements[k]);
+      if (are_apart(boxes_[a], boxes_[b])) return;
+      if (!is_skinned_[k]) skin(k, poses[k], placements[k]);
     }
     QueryCounts uncounted;
     ClusterPairs of_clusters(first.body.clusters(), second.body.clusters(), query, uncounted, first.scratch);

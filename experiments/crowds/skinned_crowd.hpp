@@ -29,21 +29,22 @@ class SkinnedCrowd {
  private:
   // A Member is a body with what only one thread at a time may use.
   struct Member {
-    explicit Member(const ClusterTree& tree) : motion_bound(tree.way_of(Skinning::spherical).motion_bound), body(tree) {}
+    explicit Member(const ClusterTree& tree) : body(tree) {}
 
-    MotionBound motion_bound;
     SkinnedBody body;
-    Box<double> box;  // around it in the world: the motion bound, or that of its vertices
-    bool is_skinned = false;
     ClusterPairScratch scratch;
     std::vector<int> hits;
     std::mutex in_work;
   };
 
-  static void skin(Member& member, const Pose& pose, const RigidTransform<double>& placement);
+  void skin(std::size_t i, const Pose& pose, const RigidTransform<double>& placement);
 
   const ClusterTree& tree_;
   std::vector<std::unique_ptr<Member>> members_;
+  // What all bodies are asked for first is side by side.
+  std::vector<Box<double>> boxes_;  // around them in the world: motion bounds, or boxes of vertices
+  std::vector<char> is_skinned_;
+  std::vector<MotionBound> motion_bounds_;  // each is for some bodies, one after the other
 };
 
 }  // namespace refitlab

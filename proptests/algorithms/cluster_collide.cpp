@@ -347,13 +347,14 @@ void clusters_and_wide_nodes(Suite& t) {
             for (std::size_t i = 0; i < tree.clusters().size(); ++i) {
               const int count = triangles_below(tree, {static_cast<int>(i), -1});
               RC_ASSERT(count >= 1 && count <= options.most_triangles);
-              const auto places = tree.vertices().vertices(static_cast<int>(i));
+              const auto padded = tree.vertices().vertices(static_cast<int>(i));
+              const auto places = tree.floats().places(static_cast<int>(i));
               const ClusterTriangles vertices = tree.cluster_triangles(static_cast<int>(i));
               RC_ASSERT(vertices.count == count);
               for (int t = 0; t < count; ++t) {
                 const int triangle = tree.triangles(static_cast<int>(i))[t];
                 seen.push_back(triangle);
-                for (int k = 0; k < 3; ++k) RC_ASSERT(places[vertices.vertex[k][t]] == c.mesh.triangles[triangle][k]);
+                for (int k = 0; k < 3; ++k) RC_ASSERT(padded[places[vertices.vertex[k][t]]] == c.mesh.triangles[triangle][k]);
               }
             }
             std::sort(seen.begin(), seen.end());

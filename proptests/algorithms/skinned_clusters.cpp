@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 
 #include "algorithms/bake/bake.hpp"
 #include "experiments/procedural/procedural.hpp"
@@ -27,28 +28,30 @@ using namespace refitlab;
 struct Compared {
   // Coordinates are within their slack or beyond it, and undefined where that is infinite.
   long within = 0, beyond = 0, undefined = 0;
-  bool same_doubles = true, are_boxed = true;
+  bool same_doubles = true, are_boxed = true, have_one_position = true;
   // This is the greatest error of a coordinate, as a share of the slack.
   double largest_share = 0;
 };
 
-// Compares every coordinate of every cluster's places.
+// Compares every coordinate of every cluster's vertices.
 Compared compare(SkinnedClusters& body, const std::vector<Point3>& expected) {
   Compared out;
   const ClusterTree& tree = body.tree();
   for (int c = 0; c < static_cast<int>(tree.clusters().size()); ++c) {
     const FloatCluster& cluster = body.cluster(c);
-    const int count = tree.clusters()[c].padded_vertex_count;
-    for (int p = 0; p < count; ++p)
+    const auto vertices = tree.vertices().vertices(c);
+    const auto places = tree.floats().places(c);
+    out.have_one_position = out.have_one_position && std::set<int>(vertices.begin(), vertices.end()).size() == places.size();
+    for (std::size_t p = 0; p < places.size(); ++p)
       for (int i = 0; i < 3; ++i) {
-        const double x = body.padded_vertex(c, p).of[i];
-        out.same_doubles = out.same_doubles && x == expected[tree.vertices().vertices(c)[p]][i];
+        const double x = body.padded_vertex(c, static_cast<int>(p)).of[i];
+        out.same_doubles = out.same_doubles && x == expected[vertices[places[p]]][i];
         if (!(cluster.slack < std::numeric_limits<float>::infinity())) {
           ++out.undefined;
           out.are_boxed = out.are_boxed && cluster.box.low[i] == -infinite && cluster.box.high[i] == infinite;
           continue;
         }
-        const float f = cluster.xyz[i * count + p];
+        const float f = cluster.xyz[i * tree.floats().room(c) + static_cast<int>(p)];
         if (!std::isfinite(f)) {
           ++out.beyond;
           continue;
@@ -66,6 +69,7 @@ void assert_right(const Compared& c) {
   RC_ASSERT(c.same_doubles);
   RC_ASSERT(c.beyond == 0);
   RC_ASSERT(c.are_boxed);
+  RC_ASSERT(c.have_one_position);
 }
 
 RigidTransform<double> drawn_placement(std::mt19937& random, double far) {
@@ -146,7 +150,9 @@ void floats_are_within_their_slack(Suite& t) {
       });
 }
 
-// Holds what one target skins in float of a cluster: the sides of its box, then all places.
+constexpr float untouched = -12345;  // what is not to be written
+
+// Holds what one target skins in float of a cluster: the sides of its box, then all of its room, and a block behind that.
 struct FloatImage {
   float slack;
   std::vector<float> numbers;
@@ -164,17 +170,19 @@ std::vector<FloatImage> skinned_by(Target target, const ClusterTree& tree, const
     const auto runs = tree.floats().runs(n);
     if (std::any_of(runs.begin(), runs.end(), [&](const FloatRun& r) { return !std::isfinite(palette[r.joint_set].slack); }))
       continue;
-    std::vector<Lanes<float>> places(3 * tree.floats().block_count(n));
+    const std::size_t size = 3 * static_cast<std::size_t>(tree.floats().room(n));
+    std::vector<float> numbers(size + Lanes<float>::count, untouched);
     Box<float> box;
-    FloatImage& image = out.emplace_back(FloatImage{tree.floats().skin(n, palette.data(), places.data(), box, target), {}});
+    FloatImage& image = out.emplace_back(FloatImage{tree.floats().skin(n, palette.data(), numbers.data(), box, target), {}});
     for (const auto* side : {&box.low, &box.high}) image.numbers.insert(image.numbers.end(), side->begin(), side->end());
-    for (const Lanes<float>& lanes : places) image.numbers.insert(image.numbers.end(), lanes.lane.begin(), lanes.lane.end());
+    image.numbers.insert(image.numbers.end(), numbers.begin(), numbers.end());
+    RC_ASSERT(std::all_of(numbers.begin() + size, numbers.end(), [](float x) { return x == untouched; }));
   }
   return out;
 }
 
 void floats_by_every_target(Suite& t) {
-  t.holds("every target skins in float to the same places, but for the slack",
+  t.holds("every target skins in float to the same places, but for the slack, and writes to its room alone",
           {.cases = 200, .tags_at_least = {{"skinned", 0.5}}}, [] {
             const auto plan = *gen::mesh_plan();
             const Character c = bake(gen::make_mesh(plan));

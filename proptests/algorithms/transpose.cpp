@@ -8,6 +8,7 @@ namespace {
 
 using namespace refitlab;
 
+template <int width>
 bool doubles_turn() {
   double from[8][8], to[8][11] = {};
   const double* rows[8];
@@ -15,7 +16,7 @@ bool doubles_turn() {
     for (int k = 0; k < 8; ++k) from[i][k] = 8 * i + k + 1;
     rows[7 - i] = from[i];
   }
-  transpose(rows, &to[0][1], 11);
+  transpose<width>(rows, &to[0][1], 11);
   for (int i = 0; i < 8; ++i)
     for (int k = 0; k < 11; ++k)
       if (to[i][k] != (k == 0 || k > 8 ? 0 : from[8 - k][i])) return false;
@@ -48,8 +49,9 @@ PROPTEST(transpose) {
         if (rows[i][k] != static_cast<float>(4 * k + i)) return false;
     return true;
   });
-  t.example("eight rows of doubles from anywhere become eight columns, and nothing beside them is written", {},
-            [] { return Checked(doubles_turn(), 64); });
+  t.example(
+      "eight rows of doubles from anywhere become eight columns, by registers of any width, and nothing beside them is written",
+      {}, [] { return Checked(doubles_turn<2>() && doubles_turn<4>() && doubles_turn<8>(), 3 * 64); });
   t.example("so do records of eight floats, in any number that packs have lanes", {.number_type = "float"},
             [] { return Checked(records_turn<4>() && records_turn<8>() && records_turn<16>(), 8 * (4 + 8 + 16)); });
   t.example("doubles are read as the floats next to them", {}, [] {

@@ -14,30 +14,30 @@ constexpr int width = static_cast<int>(S::size());
 S load(const Lanes<float>& lanes, int first) { return S(lanes.lane.data() + first, std::experimental::vector_aligned); }
 
 template <int N>
-void skin_run(const FloatRun& run, const Lanes<float>* data, const FloatPaletteEntry& entry, int stride, Lanes<float>* out,
-              Box<S>& box) {
+void skin_run(const FloatRun& run, const Lanes<float>* data, const FloatPaletteEntry& entry, int room, float* out, Box<S>& box) {
   const FloatJointSet<S, N> joints(entry);
-  for (int block = 0; block < run.block_count; ++block, data += 2 + N, ++out)
-    for (int first = 0; first < Lanes<float>::count; first += width) {
+  for (int block = 0; block < run.block_count; ++block, data += 2 + N)
+    for (int first = 0; first < Lanes<float>::count; first += width, out += width) {
       const Point image = joints.skin({load(data[0], first), load(data[1], first), load(data[2], first)},
                                       [&](int j) { return load(data[3 + j], first); });
-      for (int i = 0; i < 3; ++i) image[i].copy_to(out[i * stride].lane.data() + first, std::experimental::vector_aligned);
+      for (int i = 0; i < 3; ++i) image[i].copy_to(out + i * room, std::experimental::element_aligned);
       box.merge(image);
     }
 }
 
 REFITLAB_KERNEL float skin(const FloatRun* runs, int run_count, const Lanes<float>* data, const FloatPaletteEntry* palette,
-                           int stride, Lanes<float>* out, Box<float>& box) {
+                           int room, float* out, Box<float>& box) {
   Box<S> all = Box<S>::empty();
   float slack = 0;
-  for (const FloatRun* run = runs; run != runs + run_count; out += run++->block_count) {
+  // Each run is written over the padding of the one before.
+  for (const FloatRun* run = runs; run != runs + run_count; out += run++->vertex_count) {
     const FloatPaletteEntry& entry = palette[run->joint_set];
     slack = max_of(slack, entry.slack);
     switch (run->joint_count) {
-      case 1: skin_run<1>(*run, data + run->first_data, entry, stride, out, all); break;
-      case 2: skin_run<2>(*run, data + run->first_data, entry, stride, out, all); break;
-      case 3: skin_run<3>(*run, data + run->first_data, entry, stride, out, all); break;
-      default: skin_run<4>(*run, data + run->first_data, entry, stride, out, all);
+      case 1: skin_run<1>(*run, data + run->first_data, entry, room, out, all); break;
+      case 2: skin_run<2>(*run, data + run->first_data, entry, room, out, all); break;
+      case 3: skin_run<3>(*run, data + run->first_data, entry, room, out, all); break;
+      default: skin_run<4>(*run, data + run->first_data, entry, room, out, all);
     }
   }
   for (int i = 0; i < 3; ++i)

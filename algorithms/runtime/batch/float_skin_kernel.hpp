@@ -9,16 +9,17 @@
 
 namespace refitlab {
 
-// A FloatRun is the vertices of one joint-set, in whole blocks of Lanes.
+// A FloatRun is the vertices of one joint-set, padded to whole blocks of Lanes.
 struct FloatRun {
-  int joint_set, joint_count, block_count;
+  int joint_set, joint_count, vertex_count, block_count;
   int first_data;  // in data: of each block x, y, z of v - m, and the weights of all joints but the first
 };
 
-// out gets the x of all the runs' blocks, then y, then z, block_stride apart. box becomes the box around all of them. Returns the
-// largest slack of the runs' palettes, which must be finite.
+// out gets the x of all the runs' vertices, one run after the other without the padding, then y, then z, room apart. The padding of
+// the last run is written, too, and room is for it. box becomes the box around all of them. Returns the largest slack of the runs'
+// palettes, which must be finite.
 using FloatSkin = float (*)(const FloatRun* runs, int run_count, const Lanes<float>* data, const FloatPaletteEntry* palette,
-                            int block_stride, Lanes<float>* out, Box<float>& box);
+                            int room, float* out, Box<float>& box);
 
 namespace baseline {
 extern const FloatSkin float_skin;

@@ -31,7 +31,7 @@ struct Columns {
 void to_rows(const Columns& columns, double* rows) {
   const double* from[8];
   for (int i = 0; i < 8; ++i) from[i] = columns.of[i];
-  transpose(from, rows, 8);
+  transpose<width>(from, rows, 8);
 }
 
 // Gathers the record that of_lane(lane) points to into each lane.
@@ -39,7 +39,7 @@ template <class OfLane>
 void gather(const OfLane& of_lane, Columns& out) {
   const double* rows[8];
   for (int lane = 0; lane < 8; ++lane) rows[lane] = of_lane(lane);
-  transpose(rows, out.of[0], palette_lanes);
+  transpose<width>(rows, out.of[0], palette_lanes);
 }
 
 // PackLanes has the sources of a pack, and the joints of its lanes as they are posed.

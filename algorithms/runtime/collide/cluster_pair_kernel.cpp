@@ -2,6 +2,7 @@
 #include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "algorithms/runtime/collide/triangles_filter.hpp"
 #include "algorithms/runtime/packs/common_bit.hpp"
@@ -14,6 +15,7 @@ namespace {
 using S = Pack<float>;
 constexpr int width = static_cast<int>(S::size());
 static_assert(Lanes<float>::count % width == 0);
+constexpr float infinity = std::numeric_limits<float>::infinity();
 
 S load(const float* numbers) { return S(numbers, std::experimental::vector_aligned); }
 void store(const S& numbers, float* out) { numbers.copy_to(out, std::experimental::vector_aligned); }
@@ -29,46 +31,49 @@ REFITLAB_KERNEL int overlaps(const BoxBlock<float>* blocks, int count, const Box
   return find_meeting(blocks, count, box, out);
 }
 
-// Sets, by place, a bit for each side of the box that the place is beyond. Bits are added up as floats, which is exact, because
-// Clang 14 cannot compile masks of sixteen integers.
-void find_outcodes(const float* xyz, int place_count, const Box<float>& box, std::uint8_t* outcodes) {
-  using Floats = Row<float, width>;
-  using Whole = Row<std::int32_t, width>;
-  using Bytes = Row<std::uint8_t, width>;
-  for (int place = 0; place < place_count; place += width) {
-    S code(0);
-    for (int i = 0; i < 3; ++i) {
-      const S x = load(xyz + i * place_count + place);
-      code = code + choose(x < S(box.low[i]), S(static_cast<float>(1 << i)), S(0)) +
-             choose(x > S(box.high[i]), S(static_cast<float>(8 << i)), S(0));
+// Sets, by position, a bit for each side of the box that the vertex is beyond. Bits are added up as floats, which is exact, because
+// Clang 14 cannot compile masks of sixteen integers. A block of sums becomes bytes by way of short integers, as GCC takes the lanes
+// one by one otherwise.
+void find_outcodes(const float* xyz, int room, const Box<float>& box, std::uint8_t* outcodes) {
+  constexpr int block = Lanes<float>::count;
+  using Shorts = Row<std::int16_t, block>;
+  for (int first = 0; first < room; first += block) {
+    alignas(64) float sums[block];
+    for (int lane = 0; lane < block; lane += width) {
+      S code(0);
+      for (int i = 0; i < 3; ++i) {
+        const S x = load(xyz + i * room + first + lane);
+        code = code + choose(x < S(box.low[i]), S(static_cast<float>(1 << i)), S(0)) +
+               choose(x > S(box.high[i]), S(static_cast<float>(8 << i)), S(0));
+      }
+      store(code, sums + lane);
     }
-    alignas(64) float numbers[width];
-    code.copy_to(numbers, std::experimental::vector_aligned);
-    Floats sums;
-    read_row(numbers, sums);
-    write_row(__builtin_convertvector(__builtin_convertvector(sums, Whole), Bytes), outcodes + place);
+    Row<float, block> row;
+    read_row(sums, row);
+    const Shorts shorts = __builtin_convertvector(__builtin_convertvector(row, Row<std::int32_t, block>), Shorts);
+    write_row(__builtin_convertvector(shorts, Row<std::uint8_t, block>), outcodes + first);
   }
 }
 
-REFITLAB_KERNEL int cull(const ClusterTriangles& triangles, const float* xyz, int place_count, const Box<float>& box,
+REFITLAB_KERNEL int cull(const ClusterTriangles& triangles, const float* xyz, int room, const Box<float>& box,
                          const CandidateArrays& out) {
-  find_outcodes(xyz, place_count, box, out.outcodes);
+  find_outcodes(xyz, room, box, out.outcodes);
   int found = 0;
   for (int t = 0; t < triangles.count; t += byte_lanes) {
     const int lanes = std::min(byte_lanes, triangles.count - t);
-    const std::uint32_t near = have_no_common_bit(out.outcodes, place_count, triangles.vertex[0] + t, triangles.vertex[1] + t,
-                                                  triangles.vertex[2] + t, lanes);
+    const std::uint32_t near =
+        have_no_common_bit(out.outcodes, room, triangles.vertex[0] + t, triangles.vertex[1] + t, triangles.vertex[2] + t, lanes);
     for (int first = 0; first < lanes; first += width) {
       const std::uint32_t bits = near >> first & first_lanes(lanes - first);
       found += write_lanes(bits, t + first, out.triangle + found);
     }
   }
-  if (found > 0) fill_pack(out.triangle[0], out.triangle + found);
+  if (found > 0) fill_pack(out.triangle[found - 1], out.triangle + found);
   return found;
 }
 
 template <Table kind>
-void place_all(const ClusterTriangles& triangles, const float* xyz, int place_count, const float* offset, int count,
+void place_all(const ClusterTriangles& triangles, const float* xyz, int room, const float* offset, int count,
                const CandidateArrays& out, Box<float>& all) {
   Box<S> whole = Box<S>::empty();
   for (int k = 0; k < count; k += width) {
@@ -76,7 +81,7 @@ void place_all(const ClusterTriangles& triangles, const float* xyz, int place_co
     alignas(64) std::int32_t at[3][width];
     for (int c = 0; c < 3; ++c) look_up<kind>(triangles.vertex[c], triangles.count, out.triangle + k, at[c]);
     for (int i = 0; i < 3; ++i) {
-      const std::array<S, 3> found = look_up<kind, 3>(xyz + i * place_count, place_count, {at[0], at[1], at[2]});
+      const std::array<S, 3> found = look_up<kind, 3>(xyz + i * room, room, {at[0], at[1], at[2]});
       for (int c = 0; c < 3; ++c) store(vertices[c][i] = found[c] + S(offset[i]), out.vertices[3 * c + i] + k);
     }
     Box<S> box;
@@ -91,11 +96,11 @@ void place_all(const ClusterTriangles& triangles, const float* xyz, int place_co
     all.low[i] = std::experimental::hmin(whole.low[i]), all.high[i] = std::experimental::hmax(whole.high[i]);
 }
 
-REFITLAB_KERNEL void place(const ClusterTriangles& triangles, const float* xyz, int place_count, const float* offset, int count,
+REFITLAB_KERNEL void place(const ClusterTriangles& triangles, const float* xyz, int room, const float* offset, int count,
                            const CandidateArrays& out, Box<float>& all) {
-  if (std::max(place_count, triangles.count) <= most_in_registers)
-    place_all<Table::in_registers>(triangles, xyz, place_count, offset, count, out, all);
-  else place_all<Table::in_memory>(triangles, xyz, place_count, offset, count, out, all);
+  if (std::max(room, triangles.count) <= most_in_registers)
+    place_all<Table::in_registers>(triangles, xyz, room, offset, count, out, all);
+  else place_all<Table::in_memory>(triangles, xyz, room, offset, count, out, all);
 }
 
 // Returns the lanes whose boxes are not apart from the given one.
@@ -124,18 +129,42 @@ REFITLAB_KERNEL int keep(int count, const Box<float>& box, const CandidateArrays
   return kept;
 }
 
+// Calls with(k) for the candidates whose boxes may meet the given one. As measured, it is worth while to look for these where a pack has
+// eight lanes, in the boxes of which a candidate is rarely, and not where it has sixteen.
+template <class With>
+void for_each_near(const float* const (&sides)[6], int count, [[maybe_unused]] const Box<S>& box, const With& with) {
+  if constexpr (width > 8) {
+    for (int k = 0; k < count; ++k) with(k);
+  } else {
+    constexpr int at_once = 32 * width;
+    std::int32_t near[at_once];
+    for (int begin = 0; begin < count; begin += at_once) {
+      const int end = std::min(count, begin + at_once);
+      int found = 0;
+      for (int first = begin; first < end; first += width)
+        found += write_lanes(meeting_lanes(sides, first, box) & first_lanes(end - first), first, near + found);
+      for (int n = 0; n < found; ++n) with(near[n]);
+    }
+  }
+}
+
 REFITLAB_KERNEL int meeting(const CandidateArrays& a, int count_a, const CandidateArrays& b, int begin, int end, float margin,
                             CandidatePair* pairs) {
+  const float* const sides[6] = {a.box[0], a.box[1], a.box[2], a.box[3], a.box[4], a.box[5]};
   int found = 0;
   for (int block = begin; block < end; block += width) {
-    Box<S> own;
-    for (int i = 0; i < 3; ++i)
+    Box<S> own, all;
+    for (int i = 0; i < 3; ++i) {
       own.low[i] = load(b.box[i] + block) - S(margin), own.high[i] = load(b.box[3 + i] + block) + S(margin);
-    const std::uint32_t valid = first_lanes(end - block);
-    for (int k = 0; k < count_a; ++k) {
-      const Box<S> other{{S(a.box[0][k]), S(a.box[1][k]), S(a.box[2][k])}, {S(a.box[3][k]), S(a.box[4][k]), S(a.box[5][k])}};
-      found += write_lanes(lane_bits(!are_apart(own, other)) & valid, pair_of(k, block), pairs + found);
+      const auto is_ordered = own.low[i] <= own.high[i];  // a NaN is not
+      all.low[i] = S(std::experimental::hmin(choose(is_ordered, own.low[i], S(-infinity))));
+      all.high[i] = S(std::experimental::hmax(choose(is_ordered, own.high[i], S(infinity))));
     }
+    const std::uint32_t valid = first_lanes(end - block);
+    for_each_near(sides, count_a, all, [&](int k) {
+      const Box<S> other{{S(sides[0][k]), S(sides[1][k]), S(sides[2][k])}, {S(sides[3][k]), S(sides[4][k]), S(sides[5][k])}};
+      found += write_lanes(lane_bits(!are_apart(own, other)) & valid, pair_of(k, block), pairs + found);
+    });
   }
   if (found > 0) fill_pack(pairs[found - 1], pairs + found);
   return found;

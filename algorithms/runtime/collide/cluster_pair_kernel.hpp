@@ -16,7 +16,7 @@
 
 namespace refitlab {
 
-// The triangles of a cluster have their vertices by place in it. short_look_up_size(count) of vertex[i] can be read.
+// The triangles of a cluster have their vertices by position in it. short_look_up_size(count) of vertex[i] can be read.
 struct ClusterTriangles {
   int count;
   const std::uint16_t* vertex[3];
@@ -34,12 +34,12 @@ struct CandidateArrays {
 // packs, and that of triangles for one block more.
 struct Candidates {
   std::vector<std::int32_t> triangle;     // in the cluster
-  std::vector<std::uint8_t> outcodes;     // by place, while culling
+  std::vector<std::uint8_t> outcodes;     // by position, while culling
   std::vector<Lanes<float>> box[6];       // low x, y, z, high x, y, z
   std::vector<Lanes<float>> vertices[9];  // x, y, z of the first vertex, then of the second and third one
 
-  // Makes room for so many triangles and places. Returns whether it had to, which moves the lists.
-  bool reserve(int triangles, int places);
+  // Makes room for so many triangles and positions. Returns whether it had to, which moves the lists.
+  bool reserve(int triangles, int positions);
   CandidateArrays arrays();
 };
 
@@ -53,13 +53,12 @@ constexpr int second_of(CandidatePair pair) { return pair & 0xffff; }
 struct ClusterPairKernels {
   // Calls find_meeting.
   int (*overlaps)(const BoxBlock<float>* blocks, int count, const Box<float>& box, int* out);
-  // Lists the triangles whose vertices are not all beyond one side of box. xyz has the x of all places, then y, then z,
-  // place_count (whole blocks) each. Returns their number. A pack behind them in the list repeats the first one.
-  int (*cull)(const ClusterTriangles& triangles, const float* xyz, int place_count, const Box<float>& box,
-              const CandidateArrays& out);
+  // Lists the triangles whose vertices are not all beyond one side of box. xyz has the x of all positions, then y, then z,
+  // and room (whole blocks) for each. Returns their number. A pack behind them in the list repeats the last one.
+  int (*cull)(const ClusterTriangles& triangles, const float* xyz, int room, const Box<float>& box, const CandidateArrays& out);
   // Fills the vertices, moved by offset, and the boxes of count candidates, listed as by cull. all becomes the box around them. One
   // block behind xyz can be read.
-  void (*place)(const ClusterTriangles& triangles, const float* xyz, int place_count, const float* offset, int count,
+  void (*place)(const ClusterTriangles& triangles, const float* xyz, int room, const float* offset, int count,
                 const CandidateArrays& out, Box<float>& all);
   // Keeps the candidates whose boxes are not apart from box. Returns their number.
   int (*keep)(int count, const Box<float>& box, const CandidateArrays& candidates);

@@ -45,9 +45,9 @@ bool reserve_at_least(std::vector<T>& list, std::size_t size) {
 
 }  // namespace
 
-bool Candidates::reserve(int triangles, int places) {
+bool Candidates::reserve(int triangles, int positions) {
   bool grows = reserve_at_least(triangle, triangles + Lanes<float>::count);
-  grows = reserve_at_least(outcodes, byte_table_size(places)) || grows;
+  grows = reserve_at_least(outcodes, byte_table_size(positions)) || grows;
   const std::size_t blocks = look_up_size(triangles) / Lanes<float>::count;
   for (auto& side : box) grows = reserve_at_least(side, blocks) || grows;
   for (auto& coordinate : vertices) grows = reserve_at_least(coordinate, blocks) || grows;
@@ -87,8 +87,8 @@ void DoublePairs::decide(std::vector<TrianglePair>& found) {
 void DoublePairs::clear() { vertices_a_.clear(), vertices_b_.clear(), pairs_.clear(); }
 
 void ClusterPairScratch::reserve(const ClusterTree& first_tree, const ClusterTree& second_tree) {
-  bool grows = first.reserve(first_tree.most_triangles(), first_tree.most_vertices());
-  grows = second.reserve(second_tree.most_triangles(), second_tree.most_vertices()) || grows;
+  bool grows = first.reserve(first_tree.most_triangles(), first_tree.most_room());
+  grows = second.reserve(second_tree.most_triangles(), second_tree.most_room()) || grows;
   const int triangles = std::max(first_tree.most_triangles(), second_tree.most_triangles());
   const std::size_t count = Lanes<float>::count + std::max(pairs_at_once, Lanes<float>::count * triangles);
   for (auto* list : {&meet, &unknown}) reserve_at_least(*list, count);
@@ -172,11 +172,11 @@ void ClusterPairs::add(int a, int b) {
 bool ClusterPairs::find_candidates(Side& side, const Box<float>& common, float margin) {
   const ClusterTriangles triangles = side.triangles();
   const float* const xyz = side.body.cluster(side.cluster).xyz;
-  const int places = side.body.tree().clusters()[side.cluster].padded_vertex_count;
-  side.count = kernels_.cull(triangles, xyz, places, side.is_second ? moved_back(common) : common, side.candidates);
+  const int room = side.body.tree().floats().room(side.cluster);
+  side.count = kernels_.cull(triangles, xyz, room, side.is_second ? moved_back(common) : common, side.candidates);
   if (side.count == 0) return false;
   constexpr float none[3] = {};
-  kernels_.place(triangles, xyz, places, side.is_second ? offset_ : none, side.count, side.candidates, side.all);
+  kernels_.place(triangles, xyz, room, side.is_second ? offset_ : none, side.count, side.candidates, side.all);
   side.all.grow(margin);
   return true;
 }
@@ -189,20 +189,20 @@ void ClusterPairs::filter(const Side& single, const Side& in_blocks, int count, 
                   scratch_.meet.data(), meet_count, scratch_.unknown.data(), unknown_count);
   const Side &side_a = single.is_second ? in_blocks : single, &side_b = single.is_second ? single : in_blocks;
   const int a = side_a.cluster, b = side_b.cluster;
-  // Returns the places of the triangles in their clusters, that of the first body first.
-  const auto places_of = [&](CandidatePair pair) {
+  // Returns the positions of the triangles in their clusters, that of the first body first.
+  const auto positions_of = [&](CandidatePair pair) {
     const int i = single.candidates.triangle[first_of(pair)], j = in_blocks.candidates.triangle[second_of(pair)];
     return single.is_second ? std::pair(j, i) : std::pair(i, j);
   };
   const int *const triangles_a = first_.tree().triangles(a), *const triangles_b = second_.tree().triangles(b);
   if (meet_count > 0) list_touching({a, b});
   for (int m = 0; m < meet_count; ++m) {
-    const auto [i, j] = places_of(scratch_.meet[m]);
+    const auto [i, j] = positions_of(scratch_.meet[m]);
     found_.push_back({triangles_a[i], triangles_b[j]});
   }
   const ClusterTriangles vertices_a = side_a.triangles(), vertices_b = side_b.triangles();
   for (int m = 0; m < unknown_count; ++m) {
-    const auto [i, j] = places_of(scratch_.unknown[m]);
+    const auto [i, j] = positions_of(scratch_.unknown[m]);
     scratch_.open.push_back({a,
                              b,
                              {vertices_a.vertex[0][i], vertices_a.vertex[1][i], vertices_a.vertex[2][i]},

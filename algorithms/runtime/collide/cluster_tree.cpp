@@ -111,28 +111,29 @@ int ClusterTree::add_cluster(const Part& part) {
 
 void ClusterTree::pack_clusters() {
   const SkinnedMesh& mesh = character_->mesh;
-  std::vector<std::vector<int>> vertices;
-  for (const Part& part : cluster_parts_) vertices.push_back(vertices_of(part));
-  vertices_ = PackedVertices(mesh, character_->sets, vertices, Lanes<float>::count);
+  std::vector<std::vector<int>> groups;
+  for (const Part& part : cluster_parts_) groups.push_back(vertices_of(part));
+  vertices_ = PackedVertices(mesh, character_->sets, groups, Lanes<float>::count);
   floats_ = FloatVertices(mesh, character_->sets, vertices_);
-  std::vector<std::uint16_t> place_of(mesh.vertices.size());
+  std::vector<std::uint16_t> position_of(mesh.vertices.size());
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
     Cluster& cluster = clusters_[c];
-    const auto places = vertices_.vertices(static_cast<int>(c));
-    cluster.padded_vertex_count = static_cast<int>(places.size());
+    const auto vertices = vertices_.vertices(static_cast<int>(c));
+    const auto places = floats_.places(static_cast<int>(c));
+    cluster.padded_vertex_count = static_cast<int>(vertices.size());
     cluster.first_vertex = c == 0 ? 0 : clusters_[c - 1].first_vertex + clusters_[c - 1].padded_vertex_count;
-    most_vertices_ = std::max(most_vertices_, cluster.padded_vertex_count);
+    most_room_ = std::max(most_room_, floats_.room(static_cast<int>(c)));
     most_triangles_ = std::max(most_triangles_, cluster.triangle_count);
-    for (std::size_t p = 0; p < places.size(); ++p) place_of[places[p]] = static_cast<std::uint16_t>(p);
+    for (std::size_t p = 0; p < places.size(); ++p) position_of[vertices[places[p]]] = static_cast<std::uint16_t>(p);
 
     const Part& part = cluster_parts_[c];
     for (int t = 0; t < part.triangle_count; ++t) {
       const int triangle = character_->tree.triangle_order[part.first_triangle + t];
       triangles_.push_back(triangle);
-      for (int i = 0; i < 3; ++i) triangle_vertices_[i].push_back(place_of[mesh.triangles[triangle][i]]);
+      for (int i = 0; i < 3; ++i) triangle_vertices_[i].push_back(position_of[mesh.triangles[triangle][i]]);
     }
   }
-  for (auto& places : triangle_vertices_) places.resize(places.size() + short_look_up_size(1));
+  for (auto& positions : triangle_vertices_) positions.resize(positions.size() + short_look_up_size(1));
 }
 
 const WayOfSkinning& ClusterTree::way_of(Skinning skinning) const {

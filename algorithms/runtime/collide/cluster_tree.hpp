@@ -19,7 +19,7 @@
 
 namespace refitlab {
 
-// With this limit, positions fit 16 bits even if each vertex is alone in its joint-set, and so in sixteen lanes.
+// With this limit, places fit 16 bits even if each vertex is alone in its joint-set, and so in sixteen lanes.
 inline constexpr int most_cluster_triangles = (1 << 16) / (3 * Lanes<float>::count);
 
 struct ClusterOptions {
@@ -33,8 +33,8 @@ struct ChildPlace {
 };
 
 struct Cluster {
-  int padded_vertex_count;  // the positions of its group of vertices()
-  int first_vertex;         // how many positions the clusters before it have
+  int padded_vertex_count;  // the places of its group of vertices()
+  int first_vertex;         // how many places the clusters before it have
   int first_triangle, triangle_count;
   ChildPlace place;
 };
@@ -77,7 +77,7 @@ class ClusterTree {
   const WideNodeChild& child(ChildPlace place) const { return children_[wide_nodes_[place.wide_node].first_child + place.child]; }
   const std::vector<Cluster>& clusters() const { return clusters_; }
   const PackedVertices& vertices() const { return vertices_; }  // a group for each cluster
-  const FloatVertices& floats() const { return floats_; }       // the same
+  const FloatVertices& floats() const { return floats_; }       // the same, which has the positions
   // Returns what bodies that are skinned in this way share, which lives as long as the tree or a copy of it. It is made when it is
   // first asked for. Several threads may ask at a time.
   const WayOfSkinning& way_of(Skinning skinning) const;
@@ -89,9 +89,9 @@ class ClusterTree {
     return {c.triangle_count, {of(0), of(1), of(2)}};
   }
   const int* triangles(int cluster) const { return triangles_.data() + clusters_[cluster].first_triangle; }
-  // These are the numbers of the largest cluster.
+  // These are the most triangles of a cluster, and the most room that a coordinate of its vertices in float takes.
   int most_triangles() const { return most_triangles_; }
-  int most_vertices() const { return most_vertices_; }
+  int most_room() const { return most_room_; }
 
  private:
   // A Part is a range of triangles side by side in SphereTree::triangle_order. They are those of a node, or some of a leaf's. A
@@ -128,7 +128,7 @@ class ClusterTree {
   std::vector<Part> cluster_parts_;
   std::vector<std::uint16_t> triangle_vertices_[3];
   std::vector<int> triangles_;
-  int most_triangles_ = 0, most_vertices_ = 0;
+  int most_triangles_ = 0, most_room_ = 0;
   PackedVertices vertices_;
   FloatVertices floats_;
   std::shared_ptr<Ways> ways_ = std::make_shared<Ways>();  // copies of the tree share them

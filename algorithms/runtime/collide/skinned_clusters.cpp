@@ -16,8 +16,8 @@ constexpr float unlimited = std::numeric_limits<float>::infinity();  // a slack 
 // Returns four roundings of the greatest coordinate in a box.
 float roundings(const Box<float>& box) { return four_roundings * box.greatest_coordinate(); }
 
-// Returns how many positions all clusters have.
-int position_count(const ClusterTree& tree) {
+// Returns how many places all clusters have.
+int place_count(const ClusterTree& tree) {
   return tree.clusters().back().first_vertex + tree.clusters().back().padded_vertex_count;
 }
 
@@ -37,7 +37,7 @@ SkinnedClusters::SkinnedClusters(const ClusterTree& tree, Skinning skinning)
       palettes_made_(palette_packs_.part_count()),
       palette_arrays_(palette_packs_.arrays(palette_)),
       clusters_made_(tree.clusters().size()),
-      blocks_made_(position_count(tree) / Lanes<double>::count),
+      blocks_made_(place_count(tree) / Lanes<double>::count),
       clusters_(tree.clusters().size()),
       work_of_all_(refitlab::work_of_all(tree, palette_packs_.part_count())) {}
 
@@ -97,11 +97,11 @@ void SkinnedClusters::skin_cluster(int n) {
   require_frame();
   FloatCluster& out = clusters_[n];
   constexpr int lanes = Lanes<float>::count;
-  if (float_vertices_.empty()) float_vertices_.resize(3 * (position_count(tree_) / lanes) + 1);  // what kernels read beyond
-  Lanes<float>* const xyz = &float_vertices_[3 * (tree_.clusters()[n].first_vertex / lanes)];
-  out.xyz = xyz->lane.data();
+  if (float_vertices_.empty()) float_vertices_.resize(3 * (place_count(tree_) / lanes) + 1);  // what kernels read beyond
+  float* const xyz = float_vertices_[3 * (tree_.clusters()[n].first_vertex / lanes)].lane.data();
+  out.xyz = xyz;
   if (can_skin_in_float(n)) skin_in_float(n, xyz, out);
-  else skin_in_double(n, xyz->lane.data(), out);
+  else skin_in_double(n, xyz, out);
   clusters_made_.mark(n);
   ++clusters_skinned_;
   work_ += tree_.floats().block_count(n);
@@ -116,7 +116,7 @@ bool SkinnedClusters::can_skin_in_float(int n) {
   return can;
 }
 
-void SkinnedClusters::skin_in_float(int n, Lanes<float>* xyz, FloatCluster& out) {
+void SkinnedClusters::skin_in_float(int n, float* xyz, FloatCluster& out) {
   const float slack = tree_.floats().skin(n, float_palettes_.data(), xyz, out.box);
   out.slack = slack + 2 * roundings(out.box);
   out.box.grow(out.slack);
@@ -124,7 +124,7 @@ void SkinnedClusters::skin_in_float(int n, Lanes<float>* xyz, FloatCluster& out)
 
 // Doubles that are rounded to floats are off by half of a rounding.
 void SkinnedClusters::skin_in_double(int n, float* xyz, FloatCluster& out) {
-  const int count = tree_.clusters()[n].padded_vertex_count;
+  const int count = static_cast<int>(tree_.floats().places(n).size()), room = tree_.floats().room(n);
   out.box = Box<float>::empty();
   bool are_finite = true;
   for (int p = 0; p < count; ++p) {
@@ -133,7 +133,7 @@ void SkinnedClusters::skin_in_double(int n, float* xyz, FloatCluster& out) {
     for (int i = 0; i < 3; ++i) {
       const double seen = v.of[i] - origin_[i];
       are_finite = are_finite && std::abs(seen) <= largest_float_length;
-      xyz[i * count + p] = x[i] = static_cast<float>(seen);
+      xyz[i * room + p] = x[i] = static_cast<float>(seen);
     }
     out.box.merge(x);
   }
@@ -166,7 +166,7 @@ void SkinnedClusters::skin_block(int n, int block) {
   require_frame();
   constexpr int lanes = Lanes<double>::count;
   const Cluster& cluster = tree_.clusters()[n];
-  if (padded_vertices_.empty()) padded_vertices_.resize(position_count(tree_));
+  if (padded_vertices_.empty()) padded_vertices_.resize(place_count(tree_));
   PaddedVertex* const out = &padded_vertices_[cluster.first_vertex + lanes * block];
   const int* const vertices = &tree_.vertices().vertices(n)[lanes * block];
   if (reference_) {

@@ -26,7 +26,7 @@ struct FloatCluster {
   // roundings. It is infinite where floats say nothing; then so is the box.
   float slack;
   Box<float> box;    // around the doubles, less the origin
-  const float* xyz;  // x of all positions, then y, then z; one block behind them can be read
+  const float* xyz;  // x by position, then y, then z, with FloatVertices::room for each; one block behind them can be read
 };
 
 class SkinnedClusters {
@@ -63,8 +63,8 @@ class SkinnedClusters {
 
   // Returns a cluster's vertex in the world, by position. It is the very doubles that apply(placement, skin()) yields.
   const PaddedVertex& padded_vertex(int cluster, int position) {
-    const int at = tree_.clusters()[cluster].first_vertex + position;
-    if (!blocks_made_.is_made(at / Lanes<double>::count)) skin_block(cluster, position / Lanes<double>::count);
+    const int place = tree_.floats().places(cluster)[position], at = tree_.clusters()[cluster].first_vertex + place;
+    if (!blocks_made_.is_made(at / Lanes<double>::count)) skin_block(cluster, place / Lanes<double>::count);
     return padded_vertices_[at];
   }
   // Returns the vertices of a single triangle of the model in the world. They are the same doubles.
@@ -90,7 +90,7 @@ class SkinnedClusters {
   const SkinningPalette<double>& palette() const { return pose_ ? palette_ : affine_palette_; }
   bool can_skin_in_float(int cluster);
   void skin_cluster(int cluster);
-  void skin_in_float(int cluster, Lanes<float>* xyz, FloatCluster& out);
+  void skin_in_float(int cluster, float* xyz, FloatCluster& out);
   void skin_in_double(int cluster, float* xyz, FloatCluster& out);
   void skin_block(int cluster, int block);
   void make_palette(int joint_set);
@@ -111,7 +111,7 @@ class SkinnedClusters {
   const SkinningPalette<double>::Arrays palette_arrays_;
   FrameStamps clusters_made_, blocks_made_;
   std::vector<FloatCluster> clusters_;
-  // The data that clusters have by position are in one array, so that those that are skinned together are near each other. Each
+  // What clusters have by place or by position is in one array, so that those that are skinned together are near each other. Each
   // array is made when the first of it is asked for.
   std::vector<Lanes<float>> float_vertices_;
   std::vector<PaddedVertex> padded_vertices_;

@@ -51,25 +51,41 @@ template <int records, class Read>
     }
 }
 
-// Eight rows of eight doubles, which lie anywhere, become columns: row i becomes column i. Pairs of rows, pairs of pairs, and halves
-// change places. to has eight rows, to_stride numbers apart. They do not overlap from.
+// Eight rows of eight doubles, which lie anywhere, become columns: row i becomes column i. to has eight rows, to_stride numbers apart.
+// They do not overlap from. A register has width numbers.
+template <int width>
 [[gnu::always_inline]] inline void transpose(const double* const (&from)[8], double* to, int to_stride) {
-  Row<double, 8> rows[8], a[8], b[8];
-  for (int i = 0; i < 8; ++i) read_row(from[i], rows[i]);
+  if constexpr (width >= 8) {
+    // Pairs of rows, pairs of pairs, and halves change places.
+    Row<double, 8> rows[8], a[8], b[8];
+    for (int i = 0; i < 8; ++i) read_row(from[i], rows[i]);
 #pragma GCC unroll 4
-  for (int i = 0; i < 8; i += 2) {
-    a[i] = __builtin_shufflevector(rows[i], rows[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-    a[i + 1] = __builtin_shufflevector(rows[i], rows[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-  }
+    for (int i = 0; i < 8; i += 2) {
+      a[i] = __builtin_shufflevector(rows[i], rows[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+      a[i + 1] = __builtin_shufflevector(rows[i], rows[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
 #pragma GCC unroll 4
-  for (int i = 0; i < 6; i += i == 1 ? 3 : 1) {
-    b[i] = __builtin_shufflevector(a[i], a[i + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-    b[i + 2] = __builtin_shufflevector(a[i], a[i + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-  }
+    for (int i = 0; i < 6; i += i == 1 ? 3 : 1) {
+      b[i] = __builtin_shufflevector(a[i], a[i + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+      b[i + 2] = __builtin_shufflevector(a[i], a[i + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
 #pragma GCC unroll 4
-  for (int i = 0; i < 4; ++i) {
-    write_row(__builtin_shufflevector(b[i], b[i + 4], 0, 1, 2, 3, 8, 9, 10, 11), to + i * to_stride);
-    write_row(__builtin_shufflevector(b[i], b[i + 4], 4, 5, 6, 7, 12, 13, 14, 15), to + (i + 4) * to_stride);
+    for (int i = 0; i < 4; ++i) {
+      write_row(__builtin_shufflevector(b[i], b[i + 4], 0, 1, 2, 3, 8, 9, 10, 11), to + i * to_stride);
+      write_row(__builtin_shufflevector(b[i], b[i + 4], 4, 5, 6, 7, 12, 13, 14, 15), to + (i + 4) * to_stride);
+    }
+  } else {
+    // GCC moves the numbers of rows that are wider than registers one by one. So two numbers of four rows become two rows of four, and
+    // the halves of those are put together as they are read.
+    for (int i = 0; i < 8; i += 2)
+      for (int k = 0; k < 8; k += 4) {
+        Row<double, 2> own[4];
+        for (int r = 0; r < 4; ++r) read_row(from[k + r] + i, own[r]);
+        const Row<double, 4> even = __builtin_shufflevector(own[0], own[2], 0, 1, 2, 3),
+                             odd = __builtin_shufflevector(own[1], own[3], 0, 1, 2, 3);
+        write_row(__builtin_shufflevector(even, odd, 0, 4, 2, 6), to + i * to_stride + k);
+        write_row(__builtin_shufflevector(even, odd, 1, 5, 3, 7), to + (i + 1) * to_stride + k);
+      }
   }
 }
 
