@@ -152,7 +152,7 @@ void floats_are_within_their_slack(Suite& t) {
 
 constexpr float untouched = -12345;  // what is not to be written
 
-// Holds what one target skins in float of a cluster: the sides of its box, then all of its room, and a block behind that.
+// Holds what one target skins in float of a cluster: the sides of its box, then all vertices.
 struct FloatImage {
   float slack;
   std::vector<float> numbers;
@@ -170,13 +170,14 @@ std::vector<FloatImage> skinned_by(Target target, const ClusterTree& tree, const
     const auto runs = tree.floats().runs(n);
     if (std::any_of(runs.begin(), runs.end(), [&](const FloatRun& r) { return !std::isfinite(palette[r.joint_set].slack); }))
       continue;
-    const std::size_t size = 3 * static_cast<std::size_t>(tree.floats().room(n));
-    std::vector<float> numbers(size + Lanes<float>::count, untouched);
+    const auto room = static_cast<std::size_t>(tree.floats().room(n)), count = tree.floats().places(n).size();
+    std::vector<float> numbers(3 * room + Lanes<float>::count, untouched);
     Box<float> box;
     FloatImage& image = out.emplace_back(FloatImage{tree.floats().skin(n, palette.data(), numbers.data(), box, target), {}});
     for (const auto* side : {&box.low, &box.high}) image.numbers.insert(image.numbers.end(), side->begin(), side->end());
-    image.numbers.insert(image.numbers.end(), numbers.begin(), numbers.end());
-    RC_ASSERT(std::all_of(numbers.begin() + size, numbers.end(), [](float x) { return x == untouched; }));
+    for (int i = 0; i < 3; ++i)
+      image.numbers.insert(image.numbers.end(), numbers.begin() + i * room, numbers.begin() + i * room + count);
+    RC_ASSERT(std::all_of(numbers.begin() + 3 * room, numbers.end(), [](float x) { return x == untouched; }));
   }
   return out;
 }

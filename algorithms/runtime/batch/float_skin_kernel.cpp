@@ -16,13 +16,14 @@ S load(const Lanes<float>& lanes, int first) { return S(lanes.lane.data() + firs
 template <int N>
 void skin_run(const FloatRun& run, const Lanes<float>* data, const FloatPaletteEntry& entry, int room, float* out, Box<S>& box) {
   const FloatJointSet<S, N> joints(entry);
-  for (int block = 0; block < run.block_count; ++block, data += 2 + N)
-    for (int first = 0; first < Lanes<float>::count; first += width, out += width) {
-      const Point image = joints.skin({load(data[0], first), load(data[1], first), load(data[2], first)},
-                                      [&](int j) { return load(data[3 + j], first); });
-      for (int i = 0; i < 3; ++i) image[i].copy_to(out + i * room, std::experimental::element_aligned);
-      box.merge(image);
-    }
+  for (int v = 0; v < run.vertex_count; v += width, out += width) {
+    const Lanes<float>* const block = data + (2 + N) * (v / Lanes<float>::count);
+    const int first = v % Lanes<float>::count;
+    const Point image = joints.skin({load(block[0], first), load(block[1], first), load(block[2], first)},
+                                    [&](int j) { return load(block[3 + j], first); });
+    for (int i = 0; i < 3; ++i) image[i].copy_to(out + i * room, std::experimental::element_aligned);
+    box.merge(image);
+  }
 }
 
 REFITLAB_KERNEL float skin(const FloatRun* runs, int run_count, const Lanes<float>* data, const FloatPaletteEntry* palette,

@@ -15,8 +15,8 @@ struct FloatRun {
   int first_data;  // in data: of each block x, y, z of v - m, and the weights of all joints but the first
 };
 
-// out gets the x of all the runs' vertices, one run after the other without the padding, then y, then z, room apart. The padding of
-// the last run is written, too, and room is for it. box becomes the box around all of them. Returns the largest slack of the runs'
+// out gets the x of all the runs' vertices, one run after the other without the padding, then y, then z, room apart. Padding of the
+// last run may be written, too, and room is for it. box becomes the box around all of them. Returns the largest slack of the runs'
 // palettes, which must be finite.
 using FloatSkin = float (*)(const FloatRun* runs, int run_count, const Lanes<float>* data, const FloatPaletteEntry* palette,
                             int room, float* out, Box<float>& box);

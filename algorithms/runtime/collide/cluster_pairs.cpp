@@ -16,6 +16,8 @@ namespace {
 // the first part in which a pair touches.
 constexpr int pairs_at_once = 1 << 14, pairs_at_once_of_yes_no = 1 << 8;
 
+constexpr std::size_t pairs_at_first = 1 << 8;  // for which there is room before there are more
+
 static_assert(most_cluster_triangles <= most_candidates);
 
 constexpr std::uintptr_t page = 4096;  // bytes
@@ -196,6 +198,7 @@ void ClusterPairs::filter(const Side& single, const Side& in_blocks, int count, 
   };
   const int *const triangles_a = first_.tree().triangles(a), *const triangles_b = second_.tree().triangles(b);
   if (meet_count > 0) list_touching({a, b});
+  if (found_.capacity() == 0) found_.reserve(pairs_at_first);
   for (int m = 0; m < meet_count; ++m) {
     const auto [i, j] = positions_of(scratch_.meet[m]);
     found_.push_back({triangles_a[i], triangles_b[j]});
