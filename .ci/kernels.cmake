@@ -21,20 +21,19 @@ endfunction()
 # refitlab_wide_kernels(TARGET NAME FILE...): the kernels once more for each wider target, as object libraries that are named NAME_avx2
 # and NAME_avx512, and that several targets may share.
 function(refitlab_wide_kernels user name)
-  foreach(row avx2:x86-64-v3:256 avx512:x86-64-v4:512)
+  foreach(row avx2:x86-64-v3 avx512:x86-64-v4)
     string(REPLACE ":" ";" row ${row})
     list(GET row 0 target)
     list(GET row 1 architecture)
-    list(GET row 2 bits)
     if(NOT TARGET ${name}_${target})
       add_library(${name}_${target} OBJECT ${ARGN})
       target_compile_definitions(${name}_${target} PRIVATE REFITLAB_TARGET=${target} EIGEN_MAX_ALIGN_BYTES=16)
       target_compile_options(${name}_${target} PRIVATE -march=${architecture})
       if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
         target_compile_options(${name}_${target} PRIVATE -Wno-maybe-uninitialized)  # in its own intrinsics (GCC bug 105593)
-        # GCC copies packs in parts of 128 bits otherwise, and a pack that was stored in parts is loaded late.
-        if(CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12)
-          target_compile_options(${name}_${target} PRIVATE -mmove-max=${bits} -mstore-max=${bits})
+        # GCC copies packs of 256 bits in halves otherwise, and a pack that was stored in halves is loaded late.
+        if(target STREQUAL avx2 AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12)
+          target_compile_options(${name}_${target} PRIVATE -mmove-max=256 -mstore-max=256)
         endif()
       else()
         # Clang's flatten inlines what an entry point calls, and leaves what that calls to these limits.

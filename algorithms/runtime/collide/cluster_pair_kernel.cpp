@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 #include "algorithms/runtime/collide/triangles_filter.hpp"
 #include "algorithms/runtime/packs/common_bit.hpp"
@@ -32,11 +33,11 @@ REFITLAB_KERNEL int overlaps(const BoxBlock<float>* blocks, int count, const Box
 }
 
 // Sets, by position, a bit for each side of the box that the vertex is beyond. Bits are added up as floats, which is exact, because
-// Clang 14 cannot compile masks of sixteen integers. A block of sums becomes bytes by way of short integers, as GCC takes the lanes
-// one by one otherwise.
+// Clang 14 cannot compile masks of sixteen integers. Where a block of sums is wider than registers, it becomes bytes by way of short
+// integers, as GCC takes the lanes one by one otherwise.
 void find_outcodes(const float* xyz, int room, const Box<float>& box, std::uint8_t* outcodes) {
   constexpr int block = Lanes<float>::count;
-  using Shorts = Row<std::int16_t, block>;
+  using Between = Row<std::conditional_t<(width < block), std::int16_t, std::int32_t>, block>;
   for (int first = 0; first < room; first += block) {
     alignas(64) float sums[block];
     for (int lane = 0; lane < block; lane += width) {
@@ -50,8 +51,8 @@ void find_outcodes(const float* xyz, int room, const Box<float>& box, std::uint8
     }
     Row<float, block> row;
     read_row(sums, row);
-    const Shorts shorts = __builtin_convertvector(__builtin_convertvector(row, Row<std::int32_t, block>), Shorts);
-    write_row(__builtin_convertvector(shorts, Row<std::uint8_t, block>), outcodes + first);
+    const Between whole = __builtin_convertvector(__builtin_convertvector(row, Row<std::int32_t, block>), Between);
+    write_row(__builtin_convertvector(whole, Row<std::uint8_t, block>), outcodes + first);
   }
 }
 
