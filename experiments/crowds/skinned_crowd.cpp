@@ -6,7 +6,6 @@
 #include "algorithms/runtime/collide/meeting_boxes.hpp"
 
 namespace refitlab {
-
 namespace {
 
 constexpr std::size_t bodies_at_once = 16;  // of a task that makes their boxes

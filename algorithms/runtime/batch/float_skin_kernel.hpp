@@ -11,7 +11,7 @@ namespace refitlab {
 
 // A FloatRun is the vertices of one joint-set, padded to whole blocks of Lanes.
 struct FloatRun {
-  int joint_set, joint_count, vertex_count, block_count;
+  int joint_set, joint_count, vertex_count;
   int first_data;  // in data: of each block x, y, z of v - m, and the weights of all joints but the first
 };
 

@@ -14,8 +14,7 @@ FloatVertices::FloatVertices(const SkinnedMesh& mesh, const JointSets& sets, con
     const auto vertices = groups.vertices(group);
     for (std::size_t first = 0; first < vertices.size(); first += lanes) {
       const int set = sets.of_vertex(vertices[first]), joints = static_cast<int>(sets.joints(set).size());
-      if (first == 0 || runs_.back().joint_set != set) runs_.push_back({set, joints, 0, 0, static_cast<int>(data_.size())});
-      ++runs_.back().block_count;
+      if (first == 0 || runs_.back().joint_set != set) runs_.push_back({set, joints, 0, static_cast<int>(data_.size())});
       data_.resize(data_.size() + 2 + joints);
       Lanes<float>* const block = data_.data() + data_.size() - 2 - joints;
       for (int lane = 0; lane < lanes; ++lane) {
@@ -30,10 +29,10 @@ FloatVertices::FloatVertices(const SkinnedMesh& mesh, const JointSets& sets, con
     first_run_.push_back(static_cast<int>(runs_.size()));
     first_place_.push_back(static_cast<int>(places_.size()));
     block_count_.push_back(static_cast<int>(vertices.size()) / lanes);
-    int end = 0;  // of what is written
-    if (!vertices.empty())
-      end = first_place_[group + 1] - first_place_[group] - runs_.back().vertex_count + lanes * runs_.back().block_count;
-    room_.push_back((end + lanes - 1) / lanes * lanes);
+    // Nothing is written over the padding of the last run.
+    const int last = vertices.empty() ? 0 : runs_.back().vertex_count;
+    const int end = static_cast<int>(places(group).size()) - last + lanes * blocks_for<float>(last);
+    room_.push_back(lanes * blocks_for<float>(end));
   }
 }
 
