@@ -2,6 +2,7 @@
 #include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <type_traits>
 
@@ -104,8 +105,17 @@ REFITLAB_KERNEL void place(const ClusterTriangles& triangles, const float* xyz, 
   else place_all<Table::in_memory>(triangles, xyz, room, offset, count, out, all);
 }
 
+// The sides of candidates' boxes. Where kernels hold a copy of these pointers, they need not load them again after each store.
+using Sides = std::array<const float*, 6>;
+
+Sides sides_of(const CandidateArrays& candidates) {
+  Sides out;
+  for (int i = 0; i < 6; ++i) out[i] = candidates.box[i];
+  return out;
+}
+
 // Returns the lanes whose boxes are not apart from the given one.
-std::uint32_t meeting_lanes(const float* const (&sides)[6], int first, const Box<S>& box) {
+std::uint32_t meeting_lanes(const Sides& sides, int first, const Box<S>& box) {
   const auto side = [&](int i) { return load(sides[i] + first); };
   return lane_bits(!are_apart(Box<S>{{side(0), side(1), side(2)}, {side(3), side(4), side(5)}}, box));
 }
@@ -117,8 +127,7 @@ Box<S> broadcast(const Box<float>& box) {
 }
 
 REFITLAB_KERNEL int keep(int count, const Box<float>& box, const CandidateArrays& candidates) {
-  const float* const sides[6] = {candidates.box[0], candidates.box[1], candidates.box[2],
-                                 candidates.box[3], candidates.box[4], candidates.box[5]};
+  const Sides sides = sides_of(candidates);
   const Box<S> all = broadcast(box);
   int kept = 0;
   for (int first = 0; first < count; first += width) {
@@ -130,10 +139,10 @@ REFITLAB_KERNEL int keep(int count, const Box<float>& box, const CandidateArrays
   return kept;
 }
 
-// Calls with(k) for the candidates whose boxes may meet the given one. As measured, it is worth while to look for these where a pack has
-// eight lanes, in the boxes of which a candidate is rarely, and not where it has sixteen.
+// Calls with(k) for the candidates whose boxes may meet the given one: with packs of at most eight lanes for these alone, as the given
+// box, around one pack, is met rarely; with wider packs for all candidates, as to look for these gained nothing there.
 template <class With>
-void for_each_near(const float* const (&sides)[6], int count, [[maybe_unused]] const Box<S>& box, const With& with) {
+void for_each_near(const Sides& sides, int count, [[maybe_unused]] const Box<S>& box, const With& with) {
   if constexpr (width > 8) {
     for (int k = 0; k < count; ++k) with(k);
   } else {
@@ -151,7 +160,7 @@ void for_each_near(const float* const (&sides)[6], int count, [[maybe_unused]] c
 
 REFITLAB_KERNEL int meeting(const CandidateArrays& a, int count_a, const CandidateArrays& b, int begin, int end, float margin,
                             CandidatePair* pairs) {
-  const float* const sides[6] = {a.box[0], a.box[1], a.box[2], a.box[3], a.box[4], a.box[5]};
+  const Sides sides = sides_of(a);
   int found = 0;
   for (int block = begin; block < end; block += width) {
     Box<S> own, all;
@@ -205,8 +214,24 @@ REFITLAB_KERNEL void filter(const CandidateArrays& a, int count_a, const Candida
   else filter_all<Table::in_memory>(a, count_a, b, count_b, pairs, count, slack, meet, meet_count, unknown, unknown_count);
 }
 
+REFITLAB_KERNEL void filter_by_slopes(const TrianglePairBlock* blocks, int count, Filtered* answers) {
+  for (int from = 0; from < count; from += width) {
+    const TrianglePairBlock& block = blocks[from / Lanes<float>::count];
+    const auto of_block = [&](const Lanes<float>& lanes) { return load(lanes.lane.data() + from % Lanes<float>::count); };
+    TriangleOf<S> first, second;
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < 3; ++i)
+        first[c][i] = of_block(block.first[3 * c + i]), second[c][i] = of_block(block.second[3 * c + i]);
+    const NearVerticesBySlopes<S> vertices{{S(2) * of_block(block.slack)}};
+    const auto filtered = filter_lanes<S, NearVerticesBySlopes<S>>(first, second, vertices);
+    const std::uint32_t apart = lane_bits(filtered.are_apart), meet = lane_bits(filtered.meet);
+    for (int lane = 0; lane < std::min(width, count - from); ++lane)
+      answers[from + lane] = apart >> lane & 1 ? Filtered::apart : meet >> lane & 1 ? Filtered::meet : Filtered::unknown;
+  }
+}
+
 }  // namespace
 
-const ClusterPairKernels cluster_pair_kernels{overlaps, cull, place, keep, meeting, filter};
+const ClusterPairKernels cluster_pair_kernels{overlaps, cull, place, keep, meeting, filter, filter_by_slopes};
 
 }  // namespace refitlab::REFITLAB_TARGET

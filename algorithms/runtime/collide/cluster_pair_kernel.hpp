@@ -3,7 +3,7 @@
 //
 // Triangles of each cluster are culled against the box that both have in common, those of one of them also against the box
 // around what is left of the other. Those left are candidates, whose boxes are compared all with all, and pairs whose boxes meet
-// are filtered (triangles_filter.hpp). Floats are off by a slack; so a box that is compared is grown by it first. Nothing is
+// are filtered (triangles_filter.hpp); those that this leaves open are filtered once more, by slopes. Floats are off by a slack; so a box that is compared is grown by it first. Nothing is
 // culled or told apart that is not apart for certain, and a NaN never is.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "algorithms/runtime/collide/box_block.hpp"
+#include "algorithms/runtime/collide/triangles_filter.hpp"
 #include "algorithms/runtime/packs/lanes.hpp"
 #include "algorithms/runtime/packs/targets.hpp"
 
@@ -50,6 +51,12 @@ constexpr CandidatePair pair_of(int first, int second) { return (first << 16) + 
 constexpr int first_of(CandidatePair pair) { return pair >> 16; }
 constexpr int second_of(CandidatePair pair) { return pair & 0xffff; }
 
+// A TrianglePairBlock has sixteen pairs of triangles: x, y, z of the first vertex of each, then of the second and third one, and what
+// they are off by at most.
+struct TrianglePairBlock {
+  Lanes<float> first[9], second[9], slack;
+};
+
 struct ClusterPairKernels {
   // Calls find_meeting.
   int (*overlaps)(const BoxBlock<float>* blocks, int count, const Box<float>& box, int* out);
@@ -71,6 +78,8 @@ struct ClusterPairKernels {
   // meet are written to meet, and unknown ones to unknown; each has room for all, and for one block more.
   void (*filter)(const CandidateArrays& a, int count_a, const CandidateArrays& b, int count_b, const CandidatePair* pairs,
                  int count, float slack, CandidatePair* meet, int& meet_count, CandidatePair* unknown, int& unknown_count);
+  // Filters so many pairs by slopes.
+  void (*filter_by_slopes)(const TrianglePairBlock* blocks, int count, Filtered* answers);
 };
 
 namespace baseline {

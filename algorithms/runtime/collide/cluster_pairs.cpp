@@ -16,8 +16,6 @@ namespace {
 // the first part in which a pair touches.
 constexpr int pairs_at_once = 1 << 14, pairs_at_once_of_yes_no = 1 << 8;
 
-constexpr std::size_t pairs_at_first = 1 << 8;  // for which there is room before there are more
-
 static_assert(most_cluster_triangles <= most_candidates);
 
 constexpr std::uintptr_t page = 4096;  // bytes
@@ -114,6 +112,17 @@ void ClusterPairScratch::place_pairs() {
   }
 }
 
+void ClusterPairScratch::leave_open(const Open& pair, const CandidateArrays& of_first, int i, const CandidateArrays& of_second,
+                                    int j, float slack) {
+  const std::size_t block = open.size() / Lanes<float>::count, lane = open.size() % Lanes<float>::count;
+  if (block == open_vertices.size()) open_vertices.emplace_back();
+  TrianglePairBlock& to = open_vertices[block];
+  for (int n = 0; n < 9; ++n)
+    to.first[n].lane[lane] = of_first.vertices[n][i], to.second[n].lane[lane] = of_second.vertices[n][j];
+  to.slack.lane[lane] = slack;
+  open.push_back(pair);
+}
+
 ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Query query, QueryCounts& counts,
                            ClusterPairScratch& scratch)
     : first_(first),
@@ -121,7 +130,6 @@ ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Quer
       query_(query),
       counts_(counts),
       scratch_(scratch) {
-  const DefaultFloatEnvironment environment;
   // A query that ends early, or by an exception, leaves what was not decided.
   scratch.open.clear(), scratch.doubles.clear(), scratch.touching.clear();
   double largest = 0;
@@ -136,7 +144,6 @@ ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Quer
 }
 
 void ClusterPairs::add(int a, int b) {
-  const DefaultFloatEnvironment environment;
   const FloatCluster &of_a = first_.cluster(a), &of_b = second_.cluster(b);
   const Box<float> box_b = moved(of_b.box);
   if (are_apart(of_a.box, box_b)) return;
@@ -191,26 +198,26 @@ void ClusterPairs::filter(const Side& single, const Side& in_blocks, int count, 
                   scratch_.meet.data(), meet_count, scratch_.unknown.data(), unknown_count);
   const Side &side_a = single.is_second ? in_blocks : single, &side_b = single.is_second ? single : in_blocks;
   const int a = side_a.cluster, b = side_b.cluster;
-  // Returns the positions of the triangles in their clusters, that of the first body first.
-  const auto positions_of = [&](CandidatePair pair) {
-    const int i = single.candidates.triangle[first_of(pair)], j = in_blocks.candidates.triangle[second_of(pair)];
-    return single.is_second ? std::pair(j, i) : std::pair(i, j);
+  // Returns the places of a pair in the lists of candidates, that of the first body first.
+  const auto places_of = [&](CandidatePair pair) {
+    return single.is_second ? std::pair(second_of(pair), first_of(pair)) : std::pair(first_of(pair), second_of(pair));
   };
   const int *const triangles_a = first_.tree().triangles(a), *const triangles_b = second_.tree().triangles(b);
   if (meet_count > 0) list_touching({a, b});
-  if (found_.capacity() == 0) found_.reserve(pairs_at_first);
   for (int m = 0; m < meet_count; ++m) {
-    const auto [i, j] = positions_of(scratch_.meet[m]);
-    found_.push_back({triangles_a[i], triangles_b[j]});
+    const auto [i, j] = places_of(scratch_.meet[m]);
+    found_.push_back({triangles_a[side_a.candidates.triangle[i]], triangles_b[side_b.candidates.triangle[j]]});
   }
   const ClusterTriangles vertices_a = side_a.triangles(), vertices_b = side_b.triangles();
   for (int m = 0; m < unknown_count; ++m) {
-    const auto [i, j] = positions_of(scratch_.unknown[m]);
-    scratch_.open.push_back({a,
-                             b,
-                             {vertices_a.vertex[0][i], vertices_a.vertex[1][i], vertices_a.vertex[2][i]},
-                             {vertices_b.vertex[0][j], vertices_b.vertex[1][j], vertices_b.vertex[2][j]},
-                             {triangles_a[i], triangles_b[j]}});
+    const auto [i, j] = places_of(scratch_.unknown[m]);
+    const int s = side_a.candidates.triangle[i], t = side_b.candidates.triangle[j];  // in their clusters
+    scratch_.leave_open({a,
+                         b,
+                         {vertices_a.vertex[0][s], vertices_a.vertex[1][s], vertices_a.vertex[2][s]},
+                         {vertices_b.vertex[0][t], vertices_b.vertex[1][t], vertices_b.vertex[2][t]},
+                         {triangles_a[s], triangles_b[t]}},
+                        side_a.candidates, i, side_b.candidates, j, slack);
   }
   if (scratch_.open.size() >= DoublePairs::most) decide();
 }
@@ -219,8 +226,21 @@ void ClusterPairs::list_touching(ClusterPair pair) {
   if (scratch_.touching.empty() || scratch_.touching.back() != pair) scratch_.touching.push_back(pair);
 }
 
+// Leaves open what this does not decide.
+void ClusterPairs::decide_by_slopes() {
+  auto& open = scratch_.open;
+  scratch_.answers.resize(open.size());
+  kernels_.filter_by_slopes(scratch_.open_vertices.data(), static_cast<int>(open.size()), scratch_.answers.data());
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    if (scratch_.answers[k] == Filtered::meet) found_.push_back(open[k].pair), list_touching({open[k].cluster_a, open[k].cluster_b});
+    if (scratch_.answers[k] == Filtered::unknown) open[left++] = open[k];
+  }
+  open.resize(left);
+}
+
 void ClusterPairs::decide() {
-  const DefaultFloatEnvironment environment;
+  decide_by_slopes();
   std::size_t first_found = found_.size();
   for (const ClusterPairScratch::Open& open : scratch_.open) {
     const auto first = [&](int i) { return first_.padded_vertex(open.cluster_a, open.a[i]); };

@@ -5,6 +5,7 @@
 
 #include "algorithms/runtime/collide/collide.hpp"
 #include "algorithms/runtime/collide/skinned_clusters.hpp"
+#include "algorithms/runtime/packs/float_environment.hpp"
 
 namespace refitlab {
 
@@ -36,10 +37,14 @@ struct ClusterPairScratch {
   // Makes room for candidates of any clusters of two trees.
   void reserve(const ClusterTree& first_tree, const ClusterTree& second_tree);
   CandidatePair* pairs() { return room_for_pairs_.data() + first_pair_; }
+  // Appends a pair to open. Both candidates have their vertices, which are off by at most slack.
+  void leave_open(const Open& pair, const CandidateArrays& of_first, int i, const CandidateArrays& of_second, int j, float slack);
 
   Candidates first, second;
   std::vector<CandidatePair> meet, unknown;
   std::vector<Open> open;
+  std::vector<TrianglePairBlock> open_vertices;  // of these, in order
+  std::vector<Filtered> answers;                 // likewise
   DoublePairs doubles;
   std::vector<ClusterPair> touching;
 
@@ -50,6 +55,7 @@ struct ClusterPairScratch {
   std::size_t first_pair_ = 0;
 };
 
+// While it lives, the thread has the default floating-point environment.
 class ClusterPairs {
  public:
   // All of these must outlive this.
@@ -60,6 +66,8 @@ class ClusterPairs {
   Box<float> moved(const Box<float>& of_second) const { return moved(of_second, 1); }
   Box<float> moved_back(const Box<float>& of_first) const { return moved(of_first, -1); }
 
+  // Says whether both clusters are skinned already.
+  bool are_skinned(int a, int b) const { return first_.is_skinned(a) && second_.is_skinned(b); }
   // Looks into a pair of clusters. Their pairs are found at once, or, in a full query, by decide().
   void add(int a, int b);
   // Decides what is still open.
@@ -95,7 +103,9 @@ class ClusterPairs {
   bool find_candidates(Side& side, const Box<float>& common, float margin);
   void filter(const Side& single, const Side& in_blocks, int count, float slack);
   void list_touching(ClusterPair pair);
+  void decide_by_slopes();
 
+  const DefaultFloatEnvironment environment_;
   SkinnedClusters &first_, &second_;
   const Query query_;
   QueryCounts& counts_;

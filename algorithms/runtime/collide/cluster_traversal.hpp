@@ -88,11 +88,14 @@ class ClusterTraversal {
 
   // Compares two nodes whose boxes met when they were listed, and opens the larger one.
   void nodes(ChildPlace at_a, ChildPlace at_b) {
-    const Box<float> box_a = box_at(first_, at_a), box_b = box_at(second_, at_b), moved_b = pairs_.moved(box_b);
-    if (are_apart(box_a, moved_b)) return;  // by now
     const WideNodeChild& a = first_.tree().child(at_a);
     const WideNodeChild& b = second_.tree().child(at_b);
-    if (a.wide_node < 0 && b.wide_node < 0) {
+    const bool are_clusters = a.wide_node < 0 && b.wide_node < 0;
+    // These have boxes of their own, which are compared first.
+    if (are_clusters && pairs_.are_skinned(a.cluster, b.cluster)) return pairs_.add(a.cluster, b.cluster);
+    const Box<float> box_a = box_at(first_, at_a), box_b = box_at(second_, at_b), moved_b = pairs_.moved(box_b);
+    if (are_apart(box_a, moved_b)) return;  // by now
+    if (are_clusters) {
       pairs_.add(a.cluster, b.cluster);
       first_.tighten(a.cluster), second_.tighten(b.cluster);
       return;

@@ -56,6 +56,7 @@ class SkinnedClusters {
   void make_all_palettes();
   void skin_all();
 
+  bool is_skinned(int cluster) const { return clusters_made_.is_made(cluster); }
   const FloatCluster& cluster(int cluster) {
     if (!clusters_made_.is_made(cluster)) skin_cluster(cluster);
     return clusters_[cluster];

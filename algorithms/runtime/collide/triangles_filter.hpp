@@ -21,6 +21,16 @@
 // code takes 6.1 times the former and 6e-6 XYZ, which leaves more than a hundredth and a fourth for its own roundings. With X + Y
 // + Z below 1e12 and the bound above 1e-28, six products of two that underflow have at most 1e-44 times a third difference each,
 // below 1e-31, and nothing overflows. proptests/algorithms/float_budgets.cpp derives both.
+//
+// Slopes. That takes each of the six products for itself. The determinant of p = b - a, q = c - a and r = d - a has the derivative
+// q x r by b, r x p by c, p x q by d, and minus the sum of these by a. So where each coordinate of the four vertices is off by at most
+// the slack e / 2, the determinant is off by at most e / 2 times the sum of the 1-norms of these four, plus what products of two or
+// three e's have: 2 e^2 (X + Y + Z) for each two of the three differences, and 6 e^3. This is several times less, since products
+// cancel in the derivatives, and takes two more cross products for each determinant. Rounding: each component of a cross product has
+// two products, with at most four roundings each, and a component of the sum has six, with two more. So the four norms are below what
+// is computed and 60 u (XY + YZ + ZX), which is 1.8e-6 for e / 2 in place of 1; the code takes 3e-6, and a five hundredth more of what
+// is computed for the roundings of adding up and its own. proptests/algorithms/triangles_filter.cpp compares this with what vertices
+// lose that are off as far as they can be.
 #pragma once
 
 #include <array>
@@ -63,6 +73,30 @@ struct NearVertices {
   }
 };
 
+// These are such floats, too. It takes longer to judge determinants by their slopes, and leaves fewer of them open.
+template <class S>
+struct NearVerticesBySlopes : NearVertices<S> {
+  // Returns what is added for all determinants of these extents.
+  S error(const S& x, const S& y, const S& z) const {
+    const S& e = this->twice_slack;
+    const S xy = x * y, sum = x + y;
+    return e * (S(3e-6f) * (xy + z * sum) + S(6.1f) * e * (sum + z + e)) + S(6e-6f) * (xy * z);
+  }
+  // Returns what the determinant of (p, q, r) is off by to first order. normal is p x q.
+  S error_by_slopes(const Vec<S, 3>& p, const Vec<S, 3>& q, const Vec<S, 3>& normal, const Vec<S, 3>& r) const {
+    return S(0.501f) * this->twice_slack * sum_of_slopes(normal, cross<S>(q, r), cross<S>(r, p));
+  }
+  static S sum_of_slopes(const Vec<S, 3>& by_d, const Vec<S, 3>& by_b, const Vec<S, 3>& by_c) {
+    return (one_norm(by_b) + one_norm(by_c)) + (one_norm(by_d) + one_norm((by_b + by_c) + by_d));
+  }
+
+ private:
+  static S one_norm(const Vec<S, 3>& v) {
+    using std::abs;
+    return S(abs(v[0])) + S(abs(v[1])) + S(abs(v[2]));
+  }
+};
+
 // DifferenceExtent has the largest |differences| by coordinate.
 template <class S, class Vertices = ExactVertices<S>>
 class DifferenceExtent {
@@ -73,6 +107,12 @@ class DifferenceExtent {
     for (int i = 0; i < 3; ++i) largest_[i] = max_of(largest_[i], S(abs(difference[i])));
   }
   S error() const { return vertices_.error(largest_[0], largest_[1], largest_[2]); }
+  // Returns the error of the determinant of (p, q, r). normal is p x q, and error is error().
+  S error_of(const S& error, const Vec<S, 3>& p, const Vec<S, 3>& q, const Vec<S, 3>& normal, const Vec<S, 3>& r) const {
+    if constexpr (requires { vertices_.error_by_slopes(p, q, normal, r); })
+      return error + vertices_.error_by_slopes(p, q, normal, r);
+    else return error;
+  }
   auto sign_of(const S& determinant, const S& error) const {
     const auto is_in_range = vertices_.are_in_range(error, largest_[0], largest_[1], largest_[2]);
     return Sign<decltype(determinant > error)>{is_in_range && determinant > error, is_in_range && determinant < -error};
@@ -91,7 +131,8 @@ auto sign_of_determinant(const Vec<S, 3>& a, const Vec<S, 3>& b, const Vec<S, 3>
   const Vec<S, 3> p = b - a, q = c - a, r = d - a;
   DifferenceExtent<S, Vertices> extent(vertices);
   extent.add(p), extent.add(q), extent.add(r);
-  return extent.sign_of(dot<S, 3>(cross<S>(p, q), r));
+  const Vec<S, 3> normal = cross<S>(p, q);
+  return extent.sign_of(dot<S, 3>(normal, r), extent.error_of(extent.error(), p, q, normal, r));
 }
 
 // PlaneSides says on which sides of a triangle's plane another triangle's vertices are.
@@ -106,7 +147,7 @@ class PlaneSides {
     for (const Vec<S, 3>& x : r) extent.add(x);
     const S error = extent.error();
     for (int i = 0; i < 3; ++i) distance_[i] = dot<S, 3>(normal, r[i]);
-    for (int i = 0; i < 3; ++i) side_[i] = extent.sign_of(distance_[i], error);
+    for (int i = 0; i < 3; ++i) side_[i] = extent.sign_of(distance_[i], extent.error_of(error, p, q, normal, r[i]));
   }
 
   const Vertices& vertices() const { return vertices_; }
