@@ -136,6 +136,27 @@ Checked check_filter(const Vertices& vertices, bool are_exact) {
   return Checked(S::greatest_share <= 1 && S::greatest_share > 0.5 && S::compared >= 4, S::compared, text);
 }
 
+// Derives what the sum of slopes loses of exact vertices. By e, the filter allows for half as much, since the slack is e / 2.
+Checked check_slopes() {
+  using S = oracle::PolynomialBudget<24>;
+  using Vertices = NearVerticesBySlopes<S>;
+  S::are_vertices_exact = true;
+  const auto difference = [] { return Vec<S, 3>(S::difference(0), S::difference(1), S::difference(2)); };
+  const Vec<S, 3> p = difference(), q = difference(), r = difference();
+  const oracle::Polynomial lost = Vertices::sum_of_slopes(cross<S>(p, q), cross<S>(q, r), cross<S>(r, p)).error;
+  // The differences are so long that what is quadratic in e, or of rounding, is apart from this by its powers.
+  const oracle::Polynomial allowed =
+      Vertices{{S::twice_slack()}}.error(S::difference(0), S::difference(1), S::difference(2)).least;
+  DerivedBudgets budgets;
+  for (const auto& [powers, coefficient] : lost.coefficients()) {
+    auto of_allowed = powers;
+    of_allowed[3] = 1;
+    budgets.add("X^" + std::to_string(powers[0]) + " Y^" + std::to_string(powers[1]) + " Z^" + std::to_string(powers[2]),
+                coefficient / 2 / u, allowed.at(of_allowed) / u);
+  }
+  return budgets.checked();
+}
+
 // --- Skinning in float ---
 
 // Returns the error of an image whose blended quaternion has an error of so much: what that error turns (b8_blend_error), and the
@@ -263,6 +284,11 @@ PROPTEST(float_budgets) {
     using S = oracle::PolynomialBudget<24>;
     return check_filter<24>(NearVertices<S>{S::twice_slack()}, false);
   });
+  t.example("the filter by slopes allows for what float may lose of determinants", options, [] {
+    using S = oracle::PolynomialBudget<24>;
+    return check_filter<24>(NearVerticesBySlopes<S>{{S::twice_slack()}}, true);
+  });
+  t.example("the filter by slopes allows for what float may lose of slopes", options, check_slopes);
   t.example("the slack of skinning in float allows for what float may lose", options, check_float_skin);
 }
 

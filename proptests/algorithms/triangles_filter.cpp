@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "algorithms/runtime/collide/box_kernel.hpp"
+#include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
 #include "algorithms/runtime/packs/pack.hpp"
+#include "lemmas/exact/exact.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/triangles_meet.hpp"
 
@@ -161,6 +165,175 @@ void what_is_decided_and_what_is_left_open(Suite& t) {
   });
 }
 
+// --- Slopes ---
+
+using ExactPoint = Vec<Rational, 3>;
+
+Rational determinant(const std::array<ExactPoint, 4>& at) {
+  const ExactPoint p = at[1] - at[0], q = at[2] - at[0], r = at[3] - at[0];
+  return dot<Rational, 3>(cross<Rational>(p, q), r);
+}
+
+// A DeterminantCase has four vertices in float, and a slack. Some are nearly in a plane or on a line, some have coordinates in units of
+// their own, and the slack may be as large as they are.
+struct DeterminantCase {
+  explicit DeterminantCase(std::mt19937& random) {
+    std::uniform_real_distribution<float> u(-1, 1);
+    const auto one_of = [&](std::initializer_list<float> list) { return list.begin()[random() % list.size()]; };
+    for (auto& v : at) v = {u(random), u(random), u(random)};
+    const float off = one_of({0, 1e-7f, 1e-4f});
+    const auto shifted = [&](const Vec<float, 3>& v) {
+      return Vec<float, 3>(v[0] + off * u(random), v[1] + off * u(random), v[2] + off * u(random));
+    };
+    kind = random() % 4;
+    if (kind == 1) at[3] = shifted(at[0] + (at[1] - at[0]) * u(random) + (at[2] - at[0]) * u(random));
+    if (kind == 2) at[2] = shifted(at[0] + (at[1] - at[0]) * u(random));
+    if (kind == 3) at[random() % 3] = shifted(at[3]);
+    const Vec<float, 3> from(10 * u(random), 10 * u(random), 10 * u(random));  // far from the origin, differences are rounded
+    const bool is_far = random() % 2;
+    for (int i = 0; i < 3; ++i) {
+      const float unit = one_of({1, 1, 1e-3f, 1e3f});
+      for (auto& v : at) v[i] = unit * (is_far ? v[i] + from[i] : v[i]);
+    }
+    slack = one_of({0, 1e-7f, 1e-5f, 1e-3f, 0.1f, 10});
+  }
+
+  // Returns the computed determinant, and its error.
+  std::pair<float, float> computed() const {
+    const Vec<float, 3> p = at[1] - at[0], q = at[2] - at[0], r = at[3] - at[0], normal = cross<float>(p, q);
+    const NearVerticesBySlopes<float> vertices{{2 * slack}};
+    DifferenceExtent<float, NearVerticesBySlopes<float>> extent(vertices);
+    extent.add(p), extent.add(q), extent.add(r);
+    return {dot<float, 3>(normal, r), extent.error_of(extent.error(), p, q, normal, r)};
+  }
+  // Returns how far the determinant is off if all vertices are off as far as they can be, each coordinate upward where its sign says
+  // so.
+  Rational off(const std::array<std::array<int, 3>, 4>& signs) const {
+    std::array<ExactPoint, 4> moved;
+    for (int v = 0; v < 4; ++v)
+      for (int i = 0; i < 3; ++i) moved[v][i] = Rational(at[v][i]) + signs[v][i] * Rational(slack);
+    const Rational change = determinant(moved) - Rational(computed().first);
+    return change < 0 ? Rational(-change) : change;
+  }
+  // Returns the signs of the derivatives.
+  std::array<std::array<int, 3>, 4> steepest() const {
+    std::array<ExactPoint, 4> exact;
+    for (int v = 0; v < 4; ++v)
+      for (int i = 0; i < 3; ++i) exact[v][i] = Rational(at[v][i]);
+    std::array<std::array<int, 3>, 4> signs;
+    for (int v = 0; v < 4; ++v)
+      for (int i = 0; i < 3; ++i) {
+        auto next = exact;  // the determinant is linear in each coordinate
+        next[v][i] += 1;
+        signs[v][i] = determinant(next) < determinant(exact) ? -1 : 1;
+      }
+    return signs;
+  }
+
+  std::array<Vec<float, 3>, 4> at;
+  float slack;
+  unsigned kind;
+};
+
+void slopes_allow_for_all(Suite& t) {
+  t.holds("the error by slopes is no less than what the determinant loses, with vertices off as far as they can be, up or down",
+          {.number_type = "rational", .cases = 3000, .degenerate_at_least = 0.5}, [] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            const DeterminantCase c(random);
+            RC_CLASSIFY(c.kind > 0, "degenerate");
+            RC_TAG(c.slack > 0 ? "with slack" : "rounding alone");
+            const Rational error(c.computed().second);
+            auto signs = c.steepest();
+            RC_ASSERT(c.off(signs) <= error);
+            for (auto& of_vertex : signs)
+              for (int& sign : of_vertex) sign = -sign;
+            RC_ASSERT(c.off(signs) <= error);
+            for (auto& of_vertex : signs)
+              for (int& sign : of_vertex) sign = static_cast<int>(random() % 3) - 1;
+            RC_ASSERT(c.off(signs) <= error);
+          });
+  t.example("where the slack is small and rounding is nothing beside it, that error is at most a twentieth more", {}, [] {
+    std::mt19937 random(2006);
+    std::uniform_real_distribution<float> u(-1, 1);
+    double greatest = 0;
+    long cases = 0;
+    while (cases < 500) {
+      DeterminantCase c(random);
+      for (auto& v : c.at) v = {u(random), u(random), u(random)};
+      c.slack = 1e-4f;
+      auto signs = c.steepest();
+      Rational most = c.off(signs);
+      for (auto& of_vertex : signs)
+        for (int& sign : of_vertex) sign = -sign;
+      most = std::max(most, c.off(signs));
+      if (c.off({}) * 1000 > most) continue;
+      ++cases, greatest = std::max(greatest, c.computed().second / CGAL::to_double(most));
+    }
+    return Checked(greatest >= 1 && greatest < 1.05, cases, "at most " + std::to_string(greatest) + " times what vertices lose");
+  });
+}
+
+// Draws a pair of triangles. Some have a vertex near the other's plane.
+std::pair<TrianglePoints, TrianglePoints> drawn_pair(std::mt19937& random) {
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::pair<TrianglePoints, TrianglePoints> out{random_triangle(random, 1), random_triangle(random, 1)};
+  auto& [a, b] = out;
+  if (random() % 2)
+    b[random() % 3] = a[0] + (a[1] - a[0]) * u(random) + (a[2] - a[0]) * u(random) + Point3(0, 0, 1e-4 * u(random));
+  return out;
+}
+
+void slopes_decide_more(Suite& t) {
+  t.example(
+      "on every target, the filter by slopes is never wrong of vertices that are off, decides more than half of what extents "
+      "leave "
+      "open, and leaves open what has a large slack",
+      {}, [] {
+        std::mt19937 random(2006);
+        constexpr float slack = 1e-6f;
+        std::uniform_real_distribution<float> off(-slack, slack);
+        using Floats = Pack<float>;
+        long pairs = 0, open_before = 0, open = 0;
+        for (const Target target : available_targets())
+          for (int count = 0; count <= 100; ++count) {
+            std::vector<TrianglePairBlock> blocks(static_cast<std::size_t>(blocks_for<float>(count)));
+            for (auto& block : blocks)
+              std::fill_n(block.first[0].lane.data(), sizeof block / sizeof(float), std::numeric_limits<float>::quiet_NaN());
+            std::vector<std::pair<TrianglePoints, TrianglePoints>> drawn;
+            std::vector<bool> has_large_slack, is_left_open;
+            for (int k = 0; k < count; ++k) {
+              auto& block = blocks[static_cast<std::size_t>(k / 16)];
+              const auto& [a, b] = drawn.emplace_back(drawn_pair(random));
+              TriangleOf<Floats> first, second;
+              for (int c = 0; c < 3; ++c)
+                for (int i = 0; i < 3; ++i) {  // the other half is for the rounding to float
+                  const float x = static_cast<float>(a[c][i] + off(random) / 2),
+                              y = static_cast<float>(b[c][i] + off(random) / 2);
+                  block.first[3 * c + i].lane[k % 16] = x, block.second[3 * c + i].lane[k % 16] = y;
+                  first[c][i] = Floats(x), second[c][i] = Floats(y);
+                }
+              has_large_slack.push_back(random() % 4 == 0);
+              block.slack.lane[k % 16] = has_large_slack.back() ? 10 : slack;
+              const auto before = filter_lanes(first, second, NearVertices<Floats>{Floats(2 * slack)});
+              is_left_open.push_back(!before.are_apart[0] && !before.meet[0]);
+            }
+            std::vector<Filtered> answers(static_cast<std::size_t>(count));
+            cluster_pair_kernels(target).filter_by_slopes(blocks.data(), count, answers.data());
+            for (std::size_t k = 0; k < answers.size(); ++k, ++pairs) {
+              if (has_large_slack[k]) {
+                if (answers[k] != Filtered::unknown) return Checked(false, pairs, "a large slack is passed over");
+                continue;
+              }
+              open_before += is_left_open[k], open += answers[k] == Filtered::unknown;
+              const Filtered one = filter_triangles(drawn[k].first, drawn[k].second);
+              if (answers[k] != Filtered::unknown && answers[k] != one) return Checked(false, pairs, "it is wrong");
+            }
+          }
+        return Checked(open_before > 100 && 2 * open < open_before, pairs,
+                       std::to_string(open_before) + " left open before, " + std::to_string(open) + " by slopes");
+      });
+}
+
 // Puts the triangle behind the others and returns its places.
 std::array<std::uint16_t, 3> put(const TrianglePoints& triangle, std::vector<PaddedVertex>& vertices) {
   std::array<std::uint16_t, 3> places;
@@ -202,6 +375,8 @@ PROPTEST(triangles_filter) {
   kernels_answer_as_for_one_pair(t);
   decisions_are_those_of_exact_arithmetic(t);
   what_is_decided_and_what_is_left_open(t);
+  slopes_allow_for_all(t);
+  slopes_decide_more(t);
 }
 
 }  // namespace proptests::suite_triangles_filter

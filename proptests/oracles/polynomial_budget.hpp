@@ -85,7 +85,10 @@ struct PolynomialBudget {
 
   PolynomialBudget operator-() const { return {most, error, {}}; }
   friend PolynomialBudget operator-(const PolynomialBudget& a, const PolynomialBudget& b) {
-    return a.axis >= 0 && a.axis == b.axis ? difference(a.axis) : a + -b;
+    if (a.axis >= 0 && a.axis == b.axis) return difference(a.axis);
+    PolynomialBudget out = a + -b;
+    out.least = {};  // it may cancel
+    return out;
   }
   friend PolynomialBudget operator+(const PolynomialBudget& a, const PolynomialBudget& b) {
     if (a.most == Polynomial()) return b;

@@ -25,6 +25,12 @@ struct Columns {
   void store(int i, int first, const Vec<S, D>& v) {
     for (int k = 0; k < D; ++k) v[k].copy_to(of[i + k] + first, std::experimental::vector_aligned);
   }
+  // Clears what is not stored, but transposed with the rest: the columns from `columns` on, and registers behind `lanes`.
+  void clear_unused(int columns, int lanes) {
+    for (int i = 0; i < 8; ++i)
+      for (int first = i < columns ? (lanes + width - 1) / width * width : 0; first < palette_lanes; first += width)
+        S(0).copy_to(of[i] + first, std::experimental::vector_aligned);
+  }
 };
 
 // Writes the lanes' records, one after the other.
@@ -80,16 +86,19 @@ template <int N>
 void run_joints(const PaletteSource* sources, const PalettePack& pack, bool are_centers_fixed, const double* pose,
                 const PaletteNumbers& out) {
   PackLanes<N> of_pack(sources, pack, pose);
-  Columns centers{}, images[N]{};  // images: C_j r_c, an unused one, then the dual part
+  Columns centers, images[N];  // images: C_j r_c, an unused one, then the dual part
   for (int first = 0; first < pack.count; first += width) {
     const JointLanes<N> lanes(of_pack, first, are_centers_fixed);
     centers.store(0, first, lanes.center);
     for (int j = 0; j < N; ++j) {
       of_pack.posed[j].store(0, first, lanes.transforms[j].rotation);
       images[j].store(0, first, lanes.images[j]);
+      images[j].store(3, first, Vec<S, 1>(S(0)));
       images[j].store(4, first, dual_part(lanes.transforms[j]));
     }
   }
+  centers.clear_unused(3, pack.count);
+  for (Columns& of_joint : images) of_joint.clear_unused(8, pack.count);
   alignas(64) double rows[palette_lanes][8];
   to_rows(centers, rows[0]);
   for (int lane = 0; lane < pack.count; ++lane)
@@ -144,8 +153,8 @@ void run_float_joints(const PaletteSource* sources, const PalettePack& pack, boo
   RigidTransform<S> placement;
   for (int i = 0; i < 4; ++i) placement.rotation[i] = S(at.rotation[i]);
   for (int i = 0; i < 3; ++i) placement.translation[i] = S(at.translation[i]);
-  Columns centers{}, placed[N]{};  // centers: r and the slack
-  Columns rest{};                  // of one joint: the last row of the matrix
+  Columns centers, placed[N];  // centers: r and the slack
+  Columns rest;                // of one joint: the last row of the matrix
   for (int first = 0; first < pack.count; first += width) {
     const JointLanes<N> lanes(of_pack, first, are_centers_fixed);
     const Vec<S, 3> offset = lanes.center - of_pack.middle(first);
@@ -182,6 +191,8 @@ void run_float_joints(const PaletteSource* sources, const PalettePack& pack, boo
     float_slack(lanes, offset, of_pack.radius(first), squared_image, at)
         .copy_to(centers.of[3] + first, std::experimental::vector_aligned);
   }
+  centers.clear_unused(4, pack.count);
+  for (Columns& of_joint : placed) of_joint.clear_unused(N == 1 ? 8 : 7, pack.count);
   alignas(64) float rows[palette_lanes][8];
   to_float_rows(centers, rows);
   for (int lane = 0; lane < pack.count; ++lane) std::memcpy(out[pack.set[lane]].center, rows[lane], 4 * sizeof(float));
@@ -193,6 +204,7 @@ void run_float_joints(const PaletteSource* sources, const PalettePack& pack, boo
     }
   }
   if constexpr (N == 1) {
+    rest.clear_unused(4, pack.count);
     to_float_rows(rest, rows);
     for (int lane = 0; lane < pack.count; ++lane) std::memcpy(out[pack.set[lane]].more[1], rows[lane], sizeof rows[lane]);
   }

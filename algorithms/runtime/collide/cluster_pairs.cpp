@@ -27,14 +27,6 @@ TrianglePoints points_of(const PaddedVertex* vertices, const std::array<std::uin
   return {point(0), point(1), point(2)};
 }
 
-// Returns about which share of a cluster is in a part of its box. It only chooses between ways that find the same, and may be a
-// NaN.
-float share_of(const Box<float>& part, const Box<float>& whole) {
-  float share = 1;
-  for (int i = 0; i < 3; ++i) share *= (part.high[i] - part.low[i]) / (whole.high[i] - whole.low[i]);
-  return share;
-}
-
 // Returns whether the list had no such room before.
 template <class T>
 bool reserve_at_least(std::vector<T>& list, std::size_t size) {
@@ -153,10 +145,11 @@ void ClusterPairs::add(int a, int b) {
   common.cut(box_b);
   common.grow(slack);
   Side side_a{first_, a, false, candidates_[0]}, side_b{second_, b, true, candidates_[1]};
-  // The cluster of which less is in the common box comes first. The triangles of the other one are culled against its candidates,
-  // too, and these against what is left of the other one.
-  const bool is_second_early = share_of(common, box_b) * static_cast<float>(side_b.triangles().count) <
-                               share_of(common, of_a.box) * static_cast<float>(side_a.triangles().count);
+  // The cluster that has fewer triangles for its volume comes first, since about as few of them are in the common box. The triangles
+  // of the other one are culled against its candidates, too, and these against what is left of the other one. Both ways find the same,
+  // so it does no harm if a volume is no number.
+  const bool is_second_early = static_cast<float>(side_b.triangles().count) * of_a.box.edges().prod() <
+                               static_cast<float>(side_a.triangles().count) * box_b.edges().prod();
   Side &early = is_second_early ? side_b : side_a, &late = is_second_early ? side_a : side_b;
   if (!find_candidates(early, common, 2 * slack)) return;
   common.cut(early.all);
@@ -233,7 +226,8 @@ void ClusterPairs::decide_by_slopes() {
   kernels_.filter_by_slopes(scratch_.open_vertices.data(), static_cast<int>(open.size()), scratch_.answers.data());
   std::size_t left = 0;
   for (std::size_t k = 0; k < open.size(); ++k) {
-    if (scratch_.answers[k] == Filtered::meet) found_.push_back(open[k].pair), list_touching({open[k].cluster_a, open[k].cluster_b});
+    if (scratch_.answers[k] == Filtered::meet)
+      found_.push_back(open[k].pair), list_touching({open[k].cluster_a, open[k].cluster_b});
     if (scratch_.answers[k] == Filtered::unknown) open[left++] = open[k];
   }
   open.resize(left);

@@ -67,8 +67,10 @@ void add_all(const Joints<few>& joints, const MotionBoundPack* packs, int pack_c
           for (int lane = 0; lane < width; ++lane)
             unbounded[p] |= static_cast<std::uint32_t>(is_unbounded[lane]) << (first + lane);
       };
-      if (packs[p].slots_from(first) <= 4) bound_lanes<4, deviates>(packs[p], first, joints, error_share(1e-6), merge);
-      else bound_lanes<most_motion_bound_joints, deviates>(packs[p], first, joints, error_share(1e-6), merge);
+      with_slots(
+          packs[p].slots_from(first), [&](auto slots) __attribute__((always_inline)) {
+            bound_lanes<slots(), deviates>(packs[p], first, joints, error_share(1e-6), merge);
+          });
     }
   }
 }

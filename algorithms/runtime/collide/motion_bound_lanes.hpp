@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 #include "algorithms/runtime/balls/box.hpp"
 #include "algorithms/runtime/collide/motion_bound_kernel.hpp"
@@ -91,6 +92,16 @@ struct Joints {
     for (int i = 0; i < 3; ++i) t.translation[i].copy_to(out + (4 + i) * out_stride, std::experimental::vector_aligned);
   }
 };
+
+// Calls with(n) with a constant n that is at least slots. Returns what it returns.
+template <class With>
+[[gnu::always_inline]] inline auto with_slots(int slots, const With& with) {
+  return slots <= 1   ? with(std::integral_constant<int, 1>())
+         : slots <= 2 ? with(std::integral_constant<int, 2>())
+         : slots <= 3 ? with(std::integral_constant<int, 3>())
+         : slots <= 4 ? with(std::integral_constant<int, 4>())
+                      : with(std::integral_constant<int, most_motion_bound_joints>());
+}
 
 inline Point load_point(const float (&numbers)[3][motion_bound_lanes], int first) {
   return {load(numbers[0] + first), load(numbers[1] + first), load(numbers[2] + first)};

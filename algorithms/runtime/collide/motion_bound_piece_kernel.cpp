@@ -59,12 +59,10 @@ bool merge_all(const Joints<few>& joints, const MotionBoundPiecePack* packs, int
   for (const MotionBoundPiecePack* pack = packs; pack != packs + pack_count; ++pack)
     for (int first = 0; first < motion_bound_lanes && pack->ball.slots_from(first) > 0; first += width) {
       const auto merge = [&](const Box<S>& box) { merge_lanes(box, pack->ball.target + first, boxes); };
-      const int slots = pack->ball.slots_from(first);
-      if (!(slots <= 1   ? bound_lanes<1, deviates>(*pack, first, joints, off, merge)
-            : slots <= 2 ? bound_lanes<2, deviates>(*pack, first, joints, off, merge)
-            : slots <= 3 ? bound_lanes<3, deviates>(*pack, first, joints, off, merge)
-            : slots <= 4 ? bound_lanes<4, deviates>(*pack, first, joints, off, merge)
-                         : bound_lanes<most_motion_bound_joints, deviates>(*pack, first, joints, off, merge)))
+      if (!with_slots(
+              pack->ball.slots_from(first), [&](auto slots) __attribute__((always_inline)) {
+                return bound_lanes<slots(), deviates>(*pack, first, joints, off, merge);
+              }))
         return false;
     }
   return true;

@@ -23,14 +23,13 @@
 // below 1e-31, and nothing overflows. proptests/algorithms/float_budgets.cpp derives both.
 //
 // Slopes. That takes each of the six products for itself. The determinant of p = b - a, q = c - a and r = d - a has the derivative
-// q x r by b, r x p by c, p x q by d, and minus the sum of these by a. So where each coordinate of the four vertices is off by at most
-// the slack e / 2, the determinant is off by at most e / 2 times the sum of the 1-norms of these four, plus what products of two or
-// three e's have: 2 e^2 (X + Y + Z) for each two of the three differences, and 6 e^3. This is several times less, since products
-// cancel in the derivatives, and takes two more cross products for each determinant. Rounding: each component of a cross product has
-// two products, with at most four roundings each, and a component of the sum has six, with two more. So the four norms are below what
-// is computed and 60 u (XY + YZ + ZX), which is 1.8e-6 for e / 2 in place of 1; the code takes 3e-6, and a five hundredth more of what
-// is computed for the roundings of adding up and its own. proptests/algorithms/triangles_filter.cpp compares this with what vertices
-// lose that are off as far as they can be.
+// q x r by b, r x p by c, p x q by d, and minus the sum of these by a. Where each coordinate of the four vertices is off by at most the
+// slack e / 2, the determinant is off by at most e / 2 times the sum of the 1-norms of these four, plus products of two or three
+// errors: 2 e^2 (X + Y + Z) for each two of the differences, and 6 e^3. This is several times less, since products cancel in the
+// derivatives, and it takes two more cross products for each determinant. The norms are computed of rounded differences, and lose
+// less than 107 u (XY + YZ + ZX), which is below 6.4e-6 of this sum. The code takes 1e-5, and a five hundredth more of all norms for its
+// own roundings. For those of the determinant it takes 5e-6 XYZ. proptests/algorithms/float_budgets.cpp derives this, and triangles_filter.cpp there compares the
+// whole with what a determinant loses if its vertices are off as far as they can be.
 #pragma once
 
 #include <array>
@@ -80,7 +79,7 @@ struct NearVerticesBySlopes : NearVertices<S> {
   S error(const S& x, const S& y, const S& z) const {
     const S& e = this->twice_slack;
     const S xy = x * y, sum = x + y;
-    return e * (S(3e-6f) * (xy + z * sum) + S(6.1f) * e * (sum + z + e)) + S(6e-6f) * (xy * z);
+    return e * (S(5e-6f) * (xy + z * sum) + S(6.1f) * e * (sum + z + e)) + S(5e-6f) * (xy * z);
   }
   // Returns what the determinant of (p, q, r) is off by to first order. normal is p x q.
   S error_by_slopes(const Vec<S, 3>& p, const Vec<S, 3>& q, const Vec<S, 3>& normal, const Vec<S, 3>& r) const {
