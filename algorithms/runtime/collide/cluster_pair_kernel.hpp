@@ -3,8 +3,8 @@
 //
 // Triangles of each cluster are culled against the box that both have in common, those of one of them also against the box
 // around what is left of the other. Those left are candidates, whose boxes are compared all with all, and pairs whose boxes meet
-// are filtered (triangles_filter.hpp); those that this leaves open are filtered once more, by slopes. Floats are off by a slack; so a box that is compared is grown by it first. Nothing is
-// culled or told apart that is not apart for certain, and a NaN never is.
+// are filtered (triangles_filter.hpp); those that this leaves open are filtered once more, by slopes. Floats are off by a slack; so
+// a box that is compared is grown by it first. Nothing is culled or told apart that is not apart for certain, and a NaN never is.
 #pragma once
 
 #include <cstdint>

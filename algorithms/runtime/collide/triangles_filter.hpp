@@ -27,9 +27,9 @@
 // slack e / 2, the determinant is off by at most e / 2 times the sum of the 1-norms of these four, plus products of two or three
 // errors: 2 e^2 (X + Y + Z) for each two of the differences, and 6 e^3. This is several times less, since products cancel in the
 // derivatives, and it takes two more cross products for each determinant. The norms are computed of rounded differences, and lose
-// less than 107 u (XY + YZ + ZX), which is below 6.4e-6 of this sum. The code takes 1e-5, and a five hundredth more of all norms for its
-// own roundings. For those of the determinant it takes 5e-6 XYZ. proptests/algorithms/float_budgets.cpp derives this, and triangles_filter.cpp there compares the
-// whole with what a determinant loses if its vertices are off as far as they can be.
+// less than 107 u (XY + YZ + ZX), which is below 6.4e-6 of this sum. The code takes 1e-5, and a five hundredth more of all norms for
+// its own roundings. For those of the determinant it takes 5e-6 XYZ. proptests/algorithms/float_budgets.cpp derives this, and
+// triangles_filter.cpp there compares the whole with what a determinant loses if its vertices are off as far as they can be.
 #pragma once
 
 #include <array>
