@@ -136,7 +136,8 @@ Checked check_filter(const Vertices& vertices, bool are_exact) {
   return Checked(S::greatest_share <= 1 && S::greatest_share > 0.5 && S::compared >= 4, S::compared, text);
 }
 
-// Derives what the sum of slopes loses of exact vertices. By e, the filter allows for half as much, since the slack is e / 2.
+// Derives what the sum of slopes loses of exact vertices. This counts times the slack, which is e / 2, and is compared with the terms
+// of the allowance that have e once.
 Checked check_slopes() {
   using S = oracle::PolynomialBudget<24>;
   using Vertices = NearVerticesBySlopes<S>;
@@ -144,7 +145,6 @@ Checked check_slopes() {
   const auto difference = [] { return Vec<S, 3>(S::difference(0), S::difference(1), S::difference(2)); };
   const Vec<S, 3> p = difference(), q = difference(), r = difference();
   const oracle::Polynomial lost = Vertices::sum_of_slopes(cross<S>(p, q), cross<S>(q, r), cross<S>(r, p)).error;
-  // The differences are so long that what is quadratic in e, or of rounding, is apart from this by its powers.
   const oracle::Polynomial allowed =
       Vertices{{S::twice_slack()}}.error(S::difference(0), S::difference(1), S::difference(2)).least;
   DerivedBudgets budgets;

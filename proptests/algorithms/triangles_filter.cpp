@@ -168,6 +168,14 @@ void what_is_decided_and_what_is_left_open(Suite& t) {
 // --- Slopes ---
 
 using ExactPoint = Vec<Rational, 3>;
+// Signs say for each coordinate of four vertices whether it is off upward, downward, or, by 0, not at all.
+using Signs = std::array<std::array<int, 3>, 4>;
+
+Signs opposite(Signs signs) {
+  for (auto& of_vertex : signs)
+    for (int& sign : of_vertex) sign = -sign;
+  return signs;
+}
 
 Rational determinant(const std::array<ExactPoint, 4>& at) {
   const ExactPoint p = at[1] - at[0], q = at[2] - at[0], r = at[3] - at[0];
@@ -206,21 +214,19 @@ struct DeterminantCase {
     extent.add(p), extent.add(q), extent.add(r);
     return {dot<float, 3>(normal, r), extent.error_of(extent.error(), p, q, normal, r)};
   }
-  // Returns how far the determinant is off if all vertices are off as far as they can be, each coordinate upward where its sign says
-  // so.
-  Rational off(const std::array<std::array<int, 3>, 4>& signs) const {
-    std::array<ExactPoint, 4> moved;
+  // Returns the exact vertices, moved by the slack as the signs say.
+  std::array<ExactPoint, 4> moved(const Signs& signs) const {
+    std::array<ExactPoint, 4> out;
     for (int v = 0; v < 4; ++v)
-      for (int i = 0; i < 3; ++i) moved[v][i] = Rational(at[v][i]) + signs[v][i] * Rational(slack);
-    const Rational change = determinant(moved) - Rational(computed().first);
-    return change < 0 ? Rational(-change) : change;
+      for (int i = 0; i < 3; ++i) out[v][i] = Rational(at[v][i]) + signs[v][i] * Rational(slack);
+    return out;
   }
+  // Returns how far the computed determinant is off that of the moved vertices.
+  Rational off(const Signs& signs) const { return absolute<Rational>(determinant(moved(signs)) - Rational(computed().first)); }
   // Returns the signs of the derivatives.
-  std::array<std::array<int, 3>, 4> steepest() const {
-    std::array<ExactPoint, 4> exact;
-    for (int v = 0; v < 4; ++v)
-      for (int i = 0; i < 3; ++i) exact[v][i] = Rational(at[v][i]);
-    std::array<std::array<int, 3>, 4> signs;
+  Signs steepest() const {
+    const std::array<ExactPoint, 4> exact = moved({});
+    Signs signs;
     for (int v = 0; v < 4; ++v)
       for (int i = 0; i < 3; ++i) {
         auto next = exact;  // the determinant is linear in each coordinate
@@ -243,14 +249,13 @@ void slopes_allow_for_all(Suite& t) {
             RC_CLASSIFY(c.kind > 0, "degenerate");
             RC_TAG(c.slack > 0 ? "with slack" : "rounding alone");
             const Rational error(c.computed().second);
-            auto signs = c.steepest();
-            RC_ASSERT(c.off(signs) <= error);
-            for (auto& of_vertex : signs)
-              for (int& sign : of_vertex) sign = -sign;
-            RC_ASSERT(c.off(signs) <= error);
-            for (auto& of_vertex : signs)
+            const Signs steepest = c.steepest();
+            RC_ASSERT(c.off(steepest) <= error);
+            RC_ASSERT(c.off(opposite(steepest)) <= error);
+            Signs any;
+            for (auto& of_vertex : any)
               for (int& sign : of_vertex) sign = static_cast<int>(random() % 3) - 1;
-            RC_ASSERT(c.off(signs) <= error);
+            RC_ASSERT(c.off(any) <= error);
           });
   t.example("where the slack is small and rounding is nothing beside it, that error is at most a twentieth more", {}, [] {
     std::mt19937 random(2006);
@@ -261,11 +266,8 @@ void slopes_allow_for_all(Suite& t) {
       DeterminantCase c(random);
       for (auto& v : c.at) v = {u(random), u(random), u(random)};
       c.slack = 1e-4f;
-      auto signs = c.steepest();
-      Rational most = c.off(signs);
-      for (auto& of_vertex : signs)
-        for (int& sign : of_vertex) sign = -sign;
-      most = std::max(most, c.off(signs));
+      const Signs steepest = c.steepest();
+      const Rational most = std::max(c.off(steepest), c.off(opposite(steepest)));
       if (c.off({}) * 1000 > most) continue;
       ++cases, greatest = std::max(greatest, c.computed().second / CGAL::to_double(most));
     }
@@ -286,8 +288,8 @@ std::pair<TrianglePoints, TrianglePoints> drawn_pair(std::mt19937& random) {
 void slopes_decide_more(Suite& t) {
   t.example(
       "on every target, the filter by slopes is never wrong of vertices that are off, decides more than half of what extents "
-      "leave "
-      "open, and leaves open what has a large slack",
+      "leave"
+      " open, and leaves open what has a large slack",
       {}, [] {
         std::mt19937 random(2006);
         constexpr float slack = 1e-6f;

@@ -48,10 +48,8 @@ REFITLAB_KERNEL float skin(const FloatRun* runs, int run_count, const Lanes<floa
   const int count = static_cast<int>(out - begin);
   for (int v = 0; v < count; v += width) {
     const int at = std::max(0, std::min(v, count - width));
-    for (int i = 0; i < 3; ++i) {
-      const S x(begin + i * room + at, std::experimental::element_aligned);
-      all.low[i] = min_of(all.low[i], x), all.high[i] = max_of(all.high[i], x);
-    }
+    const auto coordinate = [&](int i) { return S(begin + i * room + at, std::experimental::element_aligned); };
+    all.merge({coordinate(0), coordinate(1), coordinate(2)});
   }
   for (int i = 0; i < 3; ++i)
     box.low[i] = std::experimental::hmin(all.low[i]), box.high[i] = std::experimental::hmax(all.high[i]);

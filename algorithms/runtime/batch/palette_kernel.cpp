@@ -86,19 +86,18 @@ template <int N>
 void run_joints(const PaletteSource* sources, const PalettePack& pack, bool are_centers_fixed, const double* pose,
                 const PaletteNumbers& out) {
   PackLanes<N> of_pack(sources, pack, pose);
-  Columns centers, images[N];  // images: C_j r_c, an unused one, then the dual part
+  Columns centers, images[N];  // images: C_j r_c, then the dual part
   for (int first = 0; first < pack.count; first += width) {
     const JointLanes<N> lanes(of_pack, first, are_centers_fixed);
     centers.store(0, first, lanes.center);
     for (int j = 0; j < N; ++j) {
       of_pack.posed[j].store(0, first, lanes.transforms[j].rotation);
       images[j].store(0, first, lanes.images[j]);
-      images[j].store(3, first, Vec<S, 1>(S(0)));
-      images[j].store(4, first, dual_part(lanes.transforms[j]));
+      images[j].store(3, first, dual_part(lanes.transforms[j]));
     }
   }
   centers.clear_unused(3, pack.count);
-  for (Columns& of_joint : images) of_joint.clear_unused(8, pack.count);
+  for (Columns& of_joint : images) of_joint.clear_unused(7, pack.count);
   alignas(64) double rows[palette_lanes][8];
   to_rows(centers, rows[0]);
   for (int lane = 0; lane < pack.count; ++lane)
@@ -111,7 +110,7 @@ void run_joints(const PaletteSource* sources, const PalettePack& pack, bool are_
     for (int lane = 0; lane < pack.count; ++lane) {
       const int slot = sources[pack.set[lane]].first_slot + j;
       std::memcpy(out.center_images + 3 * slot, rows[lane], 3 * sizeof(double));
-      std::memcpy(out.duals + 4 * slot, rows[lane] + 4, 4 * sizeof(double));
+      std::memcpy(out.duals + 4 * slot, rows[lane] + 3, 4 * sizeof(double));
     }
   }
 }
