@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Skins everything in float. Triangles of clusters whose boxes meet are culled, compared and filtered in float, with the skinning's
-// slack in the error bound; only pairs that stay unknown are decided on vertices in double.
+// Skins everything in float, cluster by cluster, with the boxes of the clusters. Triangles of clusters whose boxes meet are culled,
+// compared and filtered in float, with the skinning's slack in the error bound; only pairs that stay unknown are decided on vertices
+// in double.
+#include "algorithms/runtime/collide/cluster_pairs.hpp"
 #include "experiments/baselines/baselines.hpp"
-#include "experiments/baselines/skinned_body.hpp"
 
 namespace refitlab {
 namespace {
@@ -11,48 +12,43 @@ class SkinAllFloat : public Detector {
  public:
   SkinAllFloat(const Character& character, const ClusterOptions& options)
       : tree_(character, options),
-        first_(tree_),
-        second_(tree_) {}
+        first_(tree_, Skinning::spherical),
+        second_(tree_, Skinning::spherical) {}
 
   void palette(const ScenarioFrame& frame) override {
     check_pose(tree_.character().mesh, frame.first), check_pose(tree_.character().mesh, frame.second);
     const Point3& origin = frame.first_at.translation;
-    first_.clusters().begin(frame.first, frame.first_at, origin);
-    second_.clusters().begin(frame.second, frame.second_at, origin);
-    first_.clusters().make_all_palettes(), second_.clusters().make_all_palettes();
+    first_.begin(frame.first, frame.first_at, origin);
+    second_.begin(frame.second, frame.second_at, origin);
+    first_.make_all_palettes(), second_.make_all_palettes();
   }
 
   void skin() override {
-    first_.clusters().skin_all(), second_.clusters().skin_all();
-    skinned_ += first_.clusters().vertices_skinned() + second_.clusters().vertices_skinned();
-  }
-
-  void refit() override {
-    first_.refit(), second_.refit();
-    refitted_ += 2 * static_cast<long>(tree_.clusters().size() + tree_.wide_nodes().size());
+    first_.skin_all(), second_.skin_all();
+    skinned_ += first_.vertices_skinned() + second_.vertices_skinned();
+    boxes_made_ += first_.clusters_skinned() + second_.clusters_skinned();
   }
 
   std::vector<TrianglePair> query(Query query) override {
-    ClusterPairs pairs(first_.clusters(), second_.clusters(), query, counts_, scratch_);
-    auto found = ClusterTraversal(first_, second_, pairs, counts_, hits_).run();
-    if (query == Query::yes_no && found.size() > 1) found.resize(1);
-    return found;
+    ClusterPairs pairs(first_, second_, query, counts_, scratch_);
+    pairs.add_all();
+    if (query == Query::yes_no && pairs.found().size() > 1) pairs.found().resize(1);
+    return std::move(pairs.found());
   }
 
   DetectorCounts counts() const override {
     return {.volume_tests = counts_.ball_tests,
             .triangle_tests = counts_.triangle_tests,
             .vertices_skinned = skinned_,
-            .nodes_refitted = refitted_};
+            .nodes_refitted = boxes_made_};
   }
 
  private:
   const ClusterTree tree_;
-  SkinnedBody first_, second_;
+  SkinnedClusters first_, second_;
   QueryCounts counts_;
   ClusterPairScratch scratch_;
-  std::vector<int> hits_;
-  long skinned_ = 0, refitted_ = 0;
+  long skinned_ = 0, boxes_made_ = 0;
 };
 
 }  // namespace

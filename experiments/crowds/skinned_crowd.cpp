@@ -21,14 +21,13 @@ SkinnedCrowd::SkinnedCrowd(const ClusterTree& tree, int count)
 }
 
 void SkinnedCrowd::skin(std::size_t i, const Pose& pose, const RigidTransform<double>& placement) {
-  SkinnedBody& body = members_[i]->body;
-  body.clusters().begin(pose, placement, placement.translation);
-  body.clusters().skin_all();
-  body.refit();
+  SkinnedClusters& clusters = members_[i]->clusters;
+  clusters.begin(pose, placement, placement.translation);
+  clusters.skin_all();
   Box<double>& box = boxes_[i];
-  box = box_of<double>(body.wide_node_box(0));
-  box.low += body.clusters().origin(), box.high += body.clusters().origin();
-  box.grow(body.clusters().lost());
+  box = box_of<double>(clusters.box_around_all());
+  box.low += clusters.origin(), box.high += clusters.origin();
+  box.grow(clusters.lost());
   is_skinned_[i] = true;
 }
 
@@ -57,8 +56,9 @@ std::vector<Contact> SkinnedCrowd::frame(std::span<const Pose> poses, std::span<
       if (!is_skinned_[k]) skin(k, poses[k], placements[k]);
     }
     QueryCounts uncounted;
-    ClusterPairs of_clusters(first.body.clusters(), second.body.clusters(), query, uncounted, first.scratch);
-    contacts[i] = {a, b, ClusterTraversal(first.body, second.body, of_clusters, uncounted, first.hits).run()};
+    ClusterPairs of_clusters(first.clusters, second.clusters, query, uncounted, first.scratch);
+    of_clusters.add_all();
+    contacts[i] = {a, b, std::move(of_clusters.found())};
     if (query == Query::yes_no && contacts[i].pairs.size() > 1) contacts[i].pairs.resize(1);
   });
   std::erase_if(contacts, [](const Contact& contact) { return contact.pairs.empty(); });

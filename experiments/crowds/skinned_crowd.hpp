@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "algorithms/runtime/collide/cluster_pairs.hpp"
 #include "algorithms/runtime/collide/crowd.hpp"
 #include "algorithms/runtime/collide/motion_bound.hpp"
-#include "experiments/baselines/skinned_body.hpp"
 
 namespace refitlab {
 
@@ -29,11 +29,10 @@ class SkinnedCrowd {
  private:
   // A Member is a body with what only one thread at a time may use.
   struct Member {
-    explicit Member(const ClusterTree& tree) : body(tree) {}
+    explicit Member(const ClusterTree& tree) : clusters(tree, Skinning::spherical) {}
 
-    SkinnedBody body;
+    SkinnedClusters clusters;
     ClusterPairScratch scratch;
-    std::vector<int> hits;
     std::mutex in_work;
   };
 

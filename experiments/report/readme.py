@@ -14,11 +14,11 @@ SCENES = ["far", "near", "light", "heavy"]
 CROWDS = [10, 100, 1000, 10000]
 ALL_SKINNED = ("skin_all_float", "skin_all_float_512")
 CROWD_ROWS = [  # of several detectors the fastest
-    ("dense: `collide_all`", "dense", ("clusters",)), ("the fastest baseline", "dense", crowds.variants()), ("dense: skin everything in float, boxes bottom-up", "dense", ALL_SKINNED),
+    ("dense: `collide_all`", "dense", ("clusters",)), ("the fastest baseline", "dense", crowds.variants()), ("dense: skin everything in float", "dense", ALL_SKINNED),
     ("dense, on two threads: `collide_all`", "dense", ("clusters_on_two_threads",)), ("the fastest baseline", "dense", crowds.variants("_on_two_threads")),
     ("dense, yes/no: `collide_all`", "dense", ("clusters_yes_no",)), ("the fastest baseline", "dense", crowds.variants("_yes_no")),
     ("apart: `collide_all`", "apart", ("clusters",)), ("the fastest baseline: our motion bound alone", "apart", crowds.variants()),
-    ("apart: skin everything in float, boxes bottom-up", "apart", ALL_SKINNED)]
+    ("apart: skin everything in float", "apart", ALL_SKINNED)]
 KERNELS_UP_TO = ", kernels up to "  # what experiments --target puts behind the processor's name
 
 
@@ -62,7 +62,7 @@ bound, at 1/{min(opened):.0f} to 1/{max(opened):.0f} of refitting them one by on
 def query_rows(results, more=lambda detector: []):
     """Returns the rows of a table of detectors by scene. more(detector) has the times of further columns."""
     rows = []
-    for name, detector in [("`collide(ClusterBody, …)` with a `PairMemory`", "clusters"), ("the same without it", "clusters_without_memory"), ("skin everything in float, boxes bottom-up", "skin_all_float"),
+    for name, detector in [("`collide(ClusterBody, …)` with a `PairMemory`", "clusters"), ("the same without it", "clusters_without_memory"), ("skin everything in float", "skin_all_float"),
                            ("the same with clusters of 512 triangles in place of 256", "skin_all_float_512"),
                            ("the fastest of Embree, FCL and Bullet, of those that find all pairs", None), ("sphere tree on demand, Algorithm 1 repaired", "spherical_repaired"),
                            ("*floor: told which clusters’ boxes meet*", "floor_of_boxes"), ("*floor: told which clusters touch*", "floor_of_contacts")]:

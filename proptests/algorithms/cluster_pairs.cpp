@@ -73,6 +73,37 @@ void check_clusters_one_by_one(SkinnedClusters& a, SkinnedClusters& b, const std
     }
 }
 
+// Returns how deep the boxes of two clusters reach into each other, both seen from the first body's origin.
+float depth(const ClusterPairs& pairs, SkinnedClusters& a, SkinnedClusters& b, ClusterPair of) {
+  return common_width(a.cluster(of.first).box, pairs.moved(b.cluster(of.second).box));
+}
+
+// Skins both bodies whole and checks that all clusters are looked into: a full query finds the expected pairs, and a yes/no query some
+// of them, in the clusters that reach deepest into each other if they touch.
+void check_all_at_once(SkinnedClusters& a, SkinnedClusters& b, const std::vector<TrianglePair>& expected,
+                       ClusterPairScratch& scratch) {
+  a.skin_all(), b.skin_all();
+  QueryCounts counts;
+  ClusterPairs all(a, b, Query::full, counts, scratch);
+  all.add_all();
+  RC_ASSERT(sorted(all.found()) == expected);
+  ClusterPair deepest{0, 0};
+  for (int i = 0; i < static_cast<int>(a.tree().clusters().size()); ++i)
+    for (int j = 0; j < static_cast<int>(b.tree().clusters().size()); ++j)
+      if (depth(all, a, b, {i, j}) > depth(all, a, b, deepest)) deepest = {i, j};
+  ClusterPairs of_deepest(a, b, Query::yes_no, counts, scratch);
+  of_deepest.add(deepest.first, deepest.second);
+  const bool do_deepest_touch = of_deepest.is_done();
+  ClusterPairs one(a, b, Query::yes_no, counts, scratch);
+  one.add_all();
+  RC_ASSERT(one.is_done() == !expected.empty());
+  for (const TrianglePair& pair : one.found()) RC_ASSERT(std::binary_search(expected.begin(), expected.end(), pair));
+  if (do_deepest_touch) {
+    RC_TAG("the deepest clusters touch");
+    RC_ASSERT(depth(one, a, b, one.touching()[0]) == depth(one, a, b, deepest));
+  }
+}
+
 // Candidates are moved by this offset.
 constexpr float offset[] = {0.25f, -0.5f, 1};
 
@@ -238,6 +269,7 @@ void pairs_are_those_of_all_triangles(Suite& t) {
               RC_ASSERT(pairs_of(first, second, counts, scratch) == expected);
               RC_ASSERT(counts.triangle_tests >= static_cast<long>(expected.size()));
               check_clusters_one_by_one(first, second, expected);
+              check_all_at_once(first, second, expected, scratch);
               RC_TAG(expected.empty() ? "apart" : "in contact");
             }
           });
@@ -253,8 +285,9 @@ void pairs_are_those_of_all_triangles(Suite& t) {
             QueryCounts counts;
             ClusterPairScratch scratch;
             RC_LOG() << wide.what;
-            RC_ASSERT(pairs_of(first, second, counts, scratch) ==
-                      oracle::all_pairs({a, wide.pose, at}, {a, wide.pose, other}, Skinning::spherical));
+            const auto expected = oracle::all_pairs({a, wide.pose, at}, {a, wide.pose, other}, Skinning::spherical);
+            RC_ASSERT(pairs_of(first, second, counts, scratch) == expected);
+            check_all_at_once(first, second, expected, scratch);
           });
 }
 
@@ -319,6 +352,16 @@ void more_open_pairs_than_a_batch(Suite& t) {
       const auto found = pairs_of(first, second, counts, scratch);
       if (found != expected) wrong += std::to_string(found.size()) + " for " + std::to_string(expected.size()) + " pairs; ";
       tried += static_cast<long>(expected.size());
+      // There are blocks of clusters' boxes in several blocks of their own.
+      const ClusterTree fine(c, {.most_triangles = 8});
+      SkinnedClusters many(fine, skinning), more(fine, skinning);
+      many.begin(still, here, Point3::Zero()), more.begin(still, at, Point3::Zero());
+      many.skin_all(), more.skin_all();
+      ClusterPairs all(many, more, Query::full, counts, scratch);
+      const long tests = counts.ball_tests, count = static_cast<long>(fine.clusters().size());
+      all.add_all();
+      if (sorted(all.found()) != expected) wrong += "not all pairs of small clusters; ";
+      if (count < 9 * boxes_of_block || counts.ball_tests - tests > count * count / 3) wrong += "blocks are not told apart; ";
     }
     return Checked(wrong.empty(), tried, wrong);
   });

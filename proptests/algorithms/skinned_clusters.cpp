@@ -254,7 +254,7 @@ PROPTEST(skinned_clusters) {
     bool ok = true;
     for (int time = 0; time < 2; ++time) {
       body.begin(pose, at, at.translation);
-      ok = ok && body.clusters_skinned() == 0 && body.vertices_skinned() == 0;
+      ok = ok && !body.is_all_skinned() && body.clusters_skinned() == 0 && body.vertices_skinned() == 0;
       for (int t = 0; t < 200; ++t) {
         const TrianglePoints points = body.triangle(t);
         for (int i = 0; i < 3; ++i) ok = ok && points[i] == expected[man.mesh.triangles[t][i]];
@@ -262,7 +262,19 @@ PROPTEST(skinned_clusters) {
       long places = 0;
       for (const Cluster& c : tree.clusters()) places += c.padded_vertex_count;
       body.skin_all(), body.skin_all();
-      ok = ok && body.clusters_skinned() == static_cast<long>(tree.clusters().size()) && body.vertices_skinned() == places;
+      const int count = static_cast<int>(tree.clusters().size());
+      ok = ok && body.is_all_skinned() && body.clusters_skinned() == count && body.vertices_skinned() == places;
+      const auto same = [](const Box<float>& a, const Box<float>& b) { return a.low == b.low && a.high == b.high; };
+      Box<float> around = Box<float>::empty(), all = around;
+      for (int c = 0; c < count; ++c) {
+        const Box<float>& box = body.cluster(c).box;
+        ok = ok && same(get_box(body.boxes(), c), box);
+        around.merge(box), all.merge(box);
+        if (c % boxes_of_block != boxes_of_block - 1 && c != count - 1) continue;
+        ok = ok && same(get_box(body.boxes_around_blocks(), c / boxes_of_block), around);
+        around = Box<float>::empty();
+      }
+      ok = ok && same(body.box_around_all(), all);
     }
     return Checked(ok, 400);
   });

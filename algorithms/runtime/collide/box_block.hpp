@@ -23,8 +23,10 @@ struct alignas(64) BoxBlock {
   }
 };
 
+inline constexpr int boxes_of_block = 8;
+
 // Returns how many blocks so many boxes take.
-inline int blocks_of(int boxes) { return (boxes + 7) / 8; }
+inline int blocks_of(int boxes) { return (boxes + boxes_of_block - 1) / boxes_of_block; }
 
 // put_box writes box i of the boxes in blocks, and get_box reads it.
 template <class S>

@@ -112,7 +112,7 @@ const DeformedReference* ClusterBody::deform(const Deformation& deformation) {
 }
 
 void ClusterBody::start() {
-  are_floats_filled_ = is_all_skinned_ = is_rather_skinned_ = is_shared_ = false;
+  are_floats_filled_ = is_rather_skinned_ = is_shared_ = false;
   wide_nodes_made_.begin();
   nodes_bounded_ = work_ = 0;
 }
@@ -162,10 +162,9 @@ void ClusterBody::set_motion_bound(const Box<double>& box) {
 }
 
 void ClusterBody::skin_all() {
-  if (is_all_skinned_) return;
+  if (is_all_skinned()) return;
   clusters_.skin_all();
   wide_nodes_made_.begin();
-  is_all_skinned_ = true;
 }
 
 void ClusterBody::bound_wide_node(int f) {
@@ -174,9 +173,9 @@ void ClusterBody::bound_wide_node(int f) {
   const WideNode& wide_node = tree_.wide_nodes()[f];
   BoxBlock<float>* const blocks = wide_node_blocks(f);
   Box<float>& whole = wide_node_boxes_[f] = Box<float>::empty();
-  if (is_all_skinned_ || (is_rather_skinned_ && has_only_clusters(f))) {
+  if (is_all_skinned() || (is_rather_skinned_ && has_only_clusters(f))) {
     box_skinned(wide_node, blocks, whole);
-    if (wide_node.place.wide_node >= 0 && !is_all_skinned_) cut_box(wide_node.place, whole);
+    if (wide_node.place.wide_node >= 0 && !is_all_skinned()) cut_box(wide_node.place, whole);
     return wide_nodes_made_.mark(f);
   }
   // The boxes are as seen from the placement's translation, which is the clusters' origin.

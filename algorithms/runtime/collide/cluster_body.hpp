@@ -55,10 +55,13 @@ class ClusterBody {
     return wide_node_boxes_[wide_node];
   }
 
+  // Returns a box around the whole body, seen likewise.
+  const Box<float>& box() { return is_all_skinned() ? clusters_.box_around_all() : wide_node_box(0); }
+
   // Cuts the bound of a cluster that a query has skinned to its vertices' box, if clusters are skinned rather than bounded; and
   // from several such clusters on, they are, unless the body is shared.
   void tighten(int cluster) {
-    if (is_all_skinned_) return;  // boxes are around skinned vertices already
+    if (is_all_skinned()) return;  // boxes are around skinned vertices already
     if (!is_shared_ && clusters_.clusters_skinned() >= least_clusters_of_contact && is_skinned_in_float()) skin_rather();
     if (!is_rather_skinned_) return;
     cut_box(tree_.clusters()[cluster].place, clusters_.cluster(cluster).box);
@@ -76,7 +79,7 @@ class ClusterBody {
 
   // Skins everything. From now on in this frame, all boxes are around skinned vertices.
   void skin_all();
-  bool is_all_skinned() const { return is_all_skinned_; }
+  bool is_all_skinned() const { return clusters_.is_all_skinned(); }
 
   // Returns the clusters, as seen from where the placement puts the model's origin.
   SkinnedClusters& clusters() { return clusters_; }
@@ -137,7 +140,7 @@ class ClusterBody {
   Box<double> motion_bound_box_;
   JointFloats joints_;
   bool is_motion_bound_made_ = false, is_no_bound_expected_ = false, is_affine_ = false, are_joints_placed_ = false,
-       are_floats_filled_ = false, is_all_skinned_ = false, is_rather_skinned_ = false, is_shared_ = false, is_deformed_ = false;
+       are_floats_filled_ = false, is_rather_skinned_ = false, is_shared_ = false, is_deformed_ = false;
   std::optional<Deformed> deformed_;  // made when a frame first needs it
   FrameStamps wide_nodes_made_;
   std::vector<int> first_block_of_wide_node_;

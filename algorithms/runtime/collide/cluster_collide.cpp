@@ -55,9 +55,11 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
   const bool are_in_float = first.is_skinned_in_float() && second.is_skinned_in_float();
   const bool is_whole = memory && memory->are_entangled() && are_in_float;
   if (is_whole) first.skin_all(), second.skin_all();
-  auto pairs = ClusterTraversal(first, second, of_clusters, counts, scratch.hits).run();
+  if (first.is_all_skinned() && second.is_all_skinned()) of_clusters.add_all();
+  else ClusterTraversal(first, second, of_clusters, counts, scratch.hits).run();
+  auto& pairs = of_clusters.found();
   if (memory) {
-    memory->are_near = !are_apart(first.wide_node_box(0), of_clusters.moved(second.wide_node_box(0)));
+    memory->are_near = !are_apart(first.box(), of_clusters.moved(second.box()));
     memory->remember(of_clusters.touching());
     if (!memory->are_near) memory->count_query(0);
     else if (is_whole) memory->count_whole_query();
@@ -66,7 +68,7 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
     first.expect_no_bound(is_no_bound_needed), second.expect_no_bound(is_no_bound_needed);
   }
   if (query == Query::yes_no && pairs.size() > 1) pairs.resize(1);
-  return pairs;
+  return std::move(pairs);
 }
 
 }  // namespace refitlab

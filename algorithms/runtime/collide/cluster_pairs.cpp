@@ -135,6 +135,38 @@ ClusterPairs::ClusterPairs(SkinnedClusters& first, SkinnedClusters& second, Quer
   candidates_[0] = scratch.first.arrays(), candidates_[1] = scratch.second.arrays();
 }
 
+void ClusterPairs::add_all() {
+  auto& near = scratch_.near;
+  near.clear();
+  if (!are_apart(first_.box_around_all(), moved(second_.box_around_all())))
+    for (int a = 0; a < static_cast<int>(first_.tree().clusters().size()); ++a) list_near(a);
+  if (query_ == Query::yes_no && !near.empty()) {
+    const auto depth = [&](ClusterPair p) {
+      return common_width(first_.cluster(p.first).box, moved(second_.cluster(p.second).box));
+    };
+    std::iter_swap(near.begin(),
+                   std::max_element(near.begin(), near.end(), [&](ClusterPair p, ClusterPair q) { return depth(p) < depth(q); }));
+  }
+  for (std::size_t i = 0; i < near.size() && !is_done(); ++i) add(near[i].first, near[i].second);
+  if (!is_done()) decide();
+}
+
+// Lists the clusters of the second body whose boxes meet that of a cluster of the first one.
+void ClusterPairs::list_near(int a) {
+  const Box<float> box = moved_back(first_.cluster(a).box);
+  const int count = static_cast<int>(second_.tree().clusters().size()), block_count = blocks_of(count);
+  auto &near_blocks = scratch_.near_blocks, &near_clusters = scratch_.near_clusters;
+  reserve_at_least(near_blocks, block_count), reserve_at_least(near_clusters, boxes_of_block);
+  const int found = kernels_.overlaps(second_.boxes_around_blocks(), block_count, box, near_blocks.data());
+  counts_.ball_tests += block_count;
+  for (int k = 0; k < found; ++k) {
+    const int block = near_blocks[k], first = boxes_of_block * block, size = std::min(boxes_of_block, count - first);
+    const int near = kernels_.overlaps(second_.boxes() + block, size, box, near_clusters.data());
+    counts_.ball_tests += size;
+    for (int n = 0; n < near; ++n) scratch_.near.push_back({a, first + near_clusters[n]});
+  }
+}
+
 void ClusterPairs::add(int a, int b) {
   const FloatCluster &of_a = first_.cluster(a), &of_b = second_.cluster(b);
   const Box<float> box_b = moved(of_b.box);

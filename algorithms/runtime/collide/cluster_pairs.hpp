@@ -46,7 +46,8 @@ struct ClusterPairScratch {
   std::vector<TrianglePairBlock> open_vertices;  // of these, in order
   std::vector<Filtered> answers;                 // likewise
   DoublePairs doubles;
-  std::vector<ClusterPair> touching;
+  std::vector<int> near_blocks, near_clusters;
+  std::vector<ClusterPair> near, touching;
 
  private:
   void place_pairs();
@@ -70,6 +71,9 @@ class ClusterPairs {
   bool are_skinned(int a, int b) const { return first_.is_skinned(a) && second_.is_skinned(b); }
   // Looks into a pair of clusters. Their pairs are found at once, or, in a full query, by decide().
   void add(int a, int b);
+  // Looks into all clusters of two bodies that are skinned whole, first into those whose boxes reach deepest into each other, and
+  // decides what it finds.
+  void add_all();
   // Decides what is still open.
   void decide();
 
@@ -101,6 +105,7 @@ class ClusterPairs {
   // Finds the triangles of a side that are not outside common, and the box around them, grown by margin. Returns whether there
   // are any.
   bool find_candidates(Side& side, const Box<float>& common, float margin);
+  void list_near(int a);
   void filter(const Side& single, const Side& in_blocks, int count, float slack);
   void list_touching(ClusterPair pair);
   void decide_by_slopes();

@@ -5,32 +5,28 @@
 #include <algorithm>
 #include <limits>
 
-#include "algorithms/runtime/collide/cluster_pairs.hpp"
+#include "algorithms/runtime/collide/cluster_body.hpp"
 
 namespace refitlab {
 
-// A Body has a tree(), and boxes in float around the vertices below, seen from the origin of its SkinnedClusters and with four
-// roundings of their coordinates to spare: wide_node_boxes(n), which are those of a wide node's children, in blocks, and
-// wide_node_box(n), which is that around all of them. Boxes among the former may become smaller while this works:
-// tighten(cluster) may cut that of the cluster to its skinned vertices, and opening a wide node may cut that of the wide node.
-template <class Body>
+// Boxes may become smaller while this works: ClusterBody::tighten may cut that of a cluster to its skinned vertices, and opening a
+// wide node may cut that of the wide node.
 class ClusterTraversal {
  public:
   // All of these must outlive this. hits is working storage.
-  ClusterTraversal(Body& first, Body& second, ClusterPairs& pairs, QueryCounts& counts, std::vector<int>& hits)
+  ClusterTraversal(ClusterBody& first, ClusterBody& second, ClusterPairs& pairs, QueryCounts& counts, std::vector<int>& hits)
       : first_(first),
         second_(second),
         pairs_(pairs),
         counts_(counts),
         hits_(hits) {}
 
-  // Returns the pairs of triangles that touch. A yes/no query ends with the first clusters in which it finds any. It looks first
+  // Finds the pairs of triangles that touch. A yes/no query ends with the first clusters in which it finds any. It looks first
   // where boxes reach deepest into each other.
-  std::vector<TrianglePair> run() {
+  void run() {
     const Hits tops(*this, first_, 0, pairs_.moved(second_.wide_node_box(0)));
     for (std::size_t i = 0; i < tops.count() && !pairs_.is_done(); ++i) below_second(tops[i], box_at(first_, tops[i]), 0);
     if (!pairs_.is_done()) pairs_.decide();
-    return std::move(pairs_.found());
   }
 
  private:
@@ -38,7 +34,7 @@ class ClusterTraversal {
   // this lives.
   class Hits {
    public:
-    Hits(ClusterTraversal& traversal, Body& body, int wide_node, const Box<float>& box)
+    Hits(ClusterTraversal& traversal, ClusterBody& body, int wide_node, const Box<float>& box)
         : traversal_(traversal),
           wide_node_(wide_node),
           first_(traversal.top_) {
@@ -73,7 +69,7 @@ class ClusterTraversal {
   };
 
   // Returns the box at a place as it is now, seen from the body's own origin. It may have been larger when the place was listed.
-  static Box<float> box_at(Body& body, ChildPlace at) { return get_box(body.wide_node_boxes(at.wide_node), at.child); }
+  static Box<float> box_at(ClusterBody& body, ChildPlace at) { return get_box(body.wide_node_boxes(at.wide_node), at.child); }
 
   // Compares one node of the first body with those in a wide node of the second, and the other way round. box_a is the node's own,
   // and moved_b that of the second body's as seen from the first one's origin.
@@ -104,7 +100,7 @@ class ClusterTraversal {
     else below_second(at_a, box_a, b.wide_node);
   }
 
-  Body &first_, &second_;
+  ClusterBody &first_, &second_;
   ClusterPairs& pairs_;
   QueryCounts& counts_;
   std::vector<int>& hits_;  // of which top_ are in use

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "algorithms/runtime/collide/skinned_clusters.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -68,11 +69,12 @@ void SkinnedClusters::start(const RigidTransform<double>& placement, const Point
   float_placement_.lost = lost_in_world * (placement.translation.lpNorm<Eigen::Infinity>() + origin.lpNorm<Eigen::Infinity>());
   float_palettes_.begin(pose_, float_placement_);
   palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin();
+  is_all_skinned_ = false;
   clusters_skinned_ = vertices_skinned_ = work_ = 0;
 }
 
 void SkinnedClusters::end() {
-  is_begun_ = false;
+  is_begun_ = is_all_skinned_ = false;
   palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin();
 }
 
@@ -88,8 +90,23 @@ void SkinnedClusters::make_all_palettes() {
 }
 
 void SkinnedClusters::skin_all() {
+  if (is_all_skinned_) return;
   if (skinning_ == Skinning::spherical || skinning_ == Skinning::hejl) make_all_palettes();
   for (int c = 0; c < static_cast<int>(clusters_.size()); ++c) cluster(c);
+  put_boxes();
+  is_all_skinned_ = true;
+}
+
+void SkinnedClusters::put_boxes() {
+  const int count = static_cast<int>(clusters_.size()), blocks = blocks_of(count);
+  boxes_.resize(blocks), boxes_around_blocks_.resize(blocks_of(blocks));
+  box_around_all_ = Box<float>::empty();
+  for (int block = 0, c = 0; block < blocks; ++block) {
+    Box<float> around = Box<float>::empty();
+    for (const int end = std::min(count, boxes_of_block * (block + 1)); c < end; ++c)
+      put_box(boxes_.data(), c, clusters_[c].box), around.merge(clusters_[c].box);
+    put_box(boxes_around_blocks_.data(), block, around), box_around_all_.merge(around);
+  }
 }
 
 void SkinnedClusters::skin_cluster(int n) {

@@ -55,6 +55,13 @@ class SkinnedClusters {
   // These make all joint-sets and all clusters at once, for those who need them all.
   void make_all_palettes();
   void skin_all();
+  bool is_all_skinned() const { return is_all_skinned_; }
+
+  // These are for when all clusters are skinned: their boxes, in blocks, those around each block, in blocks likewise, and that around
+  // all of them.
+  const BoxBlock<float>* boxes() const { return boxes_.data(); }
+  const BoxBlock<float>* boxes_around_blocks() const { return boxes_around_blocks_.data(); }
+  const Box<float>& box_around_all() const { return box_around_all_; }
 
   bool is_skinned(int cluster) const { return clusters_made_.is_made(cluster); }
   const FloatCluster& cluster(int cluster) {
@@ -95,6 +102,7 @@ class SkinnedClusters {
   void skin_in_double(int cluster, float* xyz, FloatCluster& out);
   void skin_block(int cluster, int block);
   void make_palette(int joint_set);
+  void put_boxes();
   Point3 vertex_in_world(int vertex);
 
   const ClusterTree& tree_;
@@ -112,13 +120,15 @@ class SkinnedClusters {
   const SkinningPalette<double>::Arrays palette_arrays_;
   FrameStamps clusters_made_, blocks_made_;
   std::vector<FloatCluster> clusters_;
+  std::vector<BoxBlock<float>> boxes_, boxes_around_blocks_;  // made when all clusters are first skinned
+  Box<float> box_around_all_ = Box<float>::empty();
   // What clusters have by place or by position is in one array, so that those that are skinned together are near each other. Each
   // array is made when the first of it is asked for.
   std::vector<Lanes<float>> float_vertices_;
   std::vector<PaddedVertex> padded_vertices_;
   const long work_of_all_;
   long clusters_skinned_ = 0, vertices_skinned_ = 0, work_ = 0;
-  bool is_begun_ = false;
+  bool is_begun_ = false, is_all_skinned_ = false;
 };
 
 }  // namespace refitlab
