@@ -69,8 +69,8 @@ void SkinnedClusters::start(const RigidTransform<double>& placement, const Point
   float_placement_.lost = lost_in_world * (placement.translation.lpNorm<Eigen::Infinity>() + origin.lpNorm<Eigen::Infinity>());
   float_palettes_.begin(pose_, float_placement_);
   palettes_made_.begin(), clusters_made_.begin(), blocks_made_.begin();
-  is_all_skinned_ = false;
   clusters_skinned_ = vertices_skinned_ = work_ = 0;
+  is_all_skinned_ = false;
 }
 
 void SkinnedClusters::end() {
