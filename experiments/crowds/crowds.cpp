@@ -57,8 +57,7 @@ class BoundedCrowd {
     }
   }
   std::vector<Contact> frame(int f, Query query, CrowdCounts& counts, const Workers& workers) {
-    begin(f, workers);
-    return collide_all(list_, query, counts, workers);
+    return collide_all(list_, walkers_.poses(f), walkers_.placements(f), query, counts, workers);
   }
   double share_of_clusters_skinned() const {
     double skinned = 0, all = 0;
@@ -67,17 +66,15 @@ class BoundedCrowd {
     return skinned / all;
   }
   std::vector<Box<double>> motion_bounds(int f) {
-    begin(f, one_worker());
     std::vector<Box<double>> boxes;
-    for (ClusterBody* b : list_) boxes.push_back(b->motion_bound());
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+      list_[i]->begin(walkers_.poses(f)[i], walkers_.placements(f)[i]);
+      boxes.push_back(list_[i]->motion_bound());
+    }
     return boxes;
   }
 
  private:
-  void begin(int f, const Workers& workers) {
-    for_each(workers, list_.size(), [&](std::size_t i) { list_[i]->begin(walkers_.poses(f)[i], walkers_.placements(f)[i]); });
-  }
-
   const Walkers& walkers_;
   std::vector<std::unique_ptr<ClusterBody>> bodies_;
   std::vector<ClusterBody*> list_;

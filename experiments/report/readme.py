@@ -142,9 +142,8 @@ bounds meet. All detectors find the same contacts, which is checked in each fram
 |---|{'---|' * len(numbers)}
 """ + "\n".join(rows) + f"""
 
-*Apart*, any method is fast behind a box around the whole character, as in the last row but one. `collide_all` takes longer there, because each body keeps its pose
-and its placed joints, for a query that does not come. What a man costs hardly depends on how many others are far from him, but for caches, which a thousand
-men do not fit into. Comparing {most:,} boxes with each other is {digits(boxes, 2)} nanoseconds of it.
+*Apart*, any method is fast behind a box around the whole character, as in the last row but one. What a man costs hardly depends on how many others are far from
+him, but for caches, which a thousand men do not fit into. Comparing {most:,} boxes with each other is {digits(boxes, 2)} nanoseconds of it.
 """
 
 

@@ -39,19 +39,77 @@ struct CrowdOutcome {
   }
 };
 
-CrowdOutcome outcome_of(std::span<ClusterBody* const> bodies, const Workers& workers) {
+// A CrowdQuery is one of the two functions called collide_all.
+template <class CrowdQuery>
+CrowdOutcome outcome_of(std::span<ClusterBody* const> bodies, const CrowdQuery& query) {
   CrowdCounts counts;
-  CrowdOutcome out{collide_all(bodies, Query::full, counts, workers), {}, {}};
+  CrowdOutcome out{query(counts), {}, {}};
   for (Contact& contact : out.contacts) contact.pairs = sorted(contact.pairs);
   out.counts = {counts.pairs_of_boxes, counts.queries.ball_tests, counts.queries.triangle_tests};
   for (const auto* body : bodies)
     out.work.insert(out.work.end(), {body->nodes_bounded(), body->clusters_skinned(), body->vertices_skinned()});
   return out;
 }
+CrowdOutcome outcome_of(std::span<ClusterBody* const> bodies, const Workers& workers) {
+  return outcome_of(bodies, [&](CrowdCounts& counts) { return collide_all(bodies, Query::full, counts, workers); });
+}
+
+// Says whether the body is in a frame.
+bool has_begun(ClusterBody& body) {
+  try {
+    body.motion_bound();
+    return true;
+  } catch (const std::logic_error&) {
+    return false;
+  }
+}
+
+// Checks that new bodies have the contacts of those that have begun the frame, from poses and placements, on one thread and on two,
+// and that at first no body begins the frame in vain.
+void check_bodies_that_begin_on_demand(std::span<ClusterBody* const> begun, const ClusterTree& tree, Skinning skinning,
+                                       const std::vector<Pose>& poses, const std::vector<RigidTransform<double>>& placements,
+                                       const std::vector<Contact>& expected) {
+  std::vector<std::unique_ptr<ClusterBody>> owned;
+  std::vector<ClusterBody*> bodies;
+  for (std::size_t i = 0; i < begun.size(); ++i)
+    owned.push_back(std::make_unique<ClusterBody>(tree, skinning)), bodies.push_back(owned.back().get());
+  CrowdCounts of_begun;
+  collide_all(begun, Query::full, of_begun);
+  for (int times = 0; times < 3; ++times) {
+    CrowdCounts counts;
+    const Workers workers = times == 1 ? oracle::workers_on_threads<2>() : one_worker();
+    const auto found = collide_all(bodies, poses, placements, Query::full, counts, workers);
+    RC_ASSERT(counts.pairs_of_boxes == of_begun.pairs_of_boxes && found.size() == expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      RC_ASSERT(found[i].first == expected[i].first && found[i].second == expected[i].second);
+      RC_ASSERT(sorted(found[i].pairs) == expected[i].pairs);
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const bool has_neighbours = std::any_of(begun.begin(), begun.end(), [&](ClusterBody* other) {
+        return other != begun[i] && !are_apart(other->motion_bound(), begun[i]->motion_bound());
+      });
+      RC_ASSERT(has_begun(*bodies[i]) == has_neighbours && bodies[i]->has_neighbours() == has_neighbours);
+      RC_TAG(has_neighbours ? "has neighbours" : "has no neighbours");
+    }
+  }
+  // All are somewhere else, where those that had neighbours have none, and then where they were again.
+  std::vector<RigidTransform<double>> away = placements;
+  for (std::size_t i = 0; i < away.size(); ++i) away[i].translation = {1000.0 * static_cast<double>(i), 0, 0};
+  CrowdCounts counts;
+  if (skinning != Skinning::dual_quaternion) {  // some of these have no bound
+    RC_ASSERT(collide_all(bodies, poses, away, Query::full, counts).empty() && counts.pairs_of_boxes == 0);
+    for (const ClusterBody* body : bodies) RC_ASSERT(!body->has_neighbours());
+  }
+  RC_ASSERT(collide_all(bodies, poses, placements, Query::yes_no, counts).size() == expected.size());
+}
 
 void contacts_are_those_of_all_pairs(Suite& t) {
   t.holds("the contacts of a crowd are those of its pairs, one after the other, on one thread and on two",
-          {.number_type = "double", .cases = 60, .degenerate_at_least = 0.3, .tags_at_least = {{"in contact", 0.3}}}, [] {
+          {.number_type = "double",
+           .cases = 60,
+           .degenerate_at_least = 0.3,
+           .tags_at_least = {{"in contact", 0.3}, {"has neighbours", 0.5}, {"has no neighbours", 0.2}}},
+          [] {
             const auto plan = gen::classified_plan();
             const auto c = bake(gen::make_mesh(plan));
             const ClusterTree tree(c, {.most_triangles = 10, .most_children = 9});
@@ -63,10 +121,13 @@ void contacts_are_those_of_all_pairs(Suite& t) {
             const int count = *rc::gen::inRange(0, 12);
             std::vector<std::unique_ptr<ClusterBody>> owned;
             std::vector<ClusterBody*> bodies;
+            std::vector<Pose> poses;
+            std::vector<RigidTransform<double>> placements;
             for (int i = 0; i < count; ++i) {
               owned.push_back(std::make_unique<ClusterBody>(tree, skinning));
-              owned.back()->begin(gen::random_pose(c.mesh, random, spread),
-                                  {gen::random_rotation(random, 1), {place(random), place(random), 0}});
+              poses.push_back(gen::random_pose(c.mesh, random, spread));
+              placements.push_back({gen::random_rotation(random, 1), {place(random), place(random), 0}});
+              owned.back()->begin(poses.back(), placements.back());
               bodies.push_back(owned.back().get());
             }
             std::vector<Contact> expected;
@@ -90,7 +151,11 @@ void contacts_are_those_of_all_pairs(Suite& t) {
               RC_ASSERT(answers.size() == expected.size());
               for (const Contact& answer : answers) RC_ASSERT(answer.pairs.size() == 1u);
             }
+            check_bodies_that_begin_on_demand(bodies, tree, skinning, poses, placements, expected);
           });
+}
+
+void a_dense_crowd(Suite& t) {
   t.example(
       "a dense crowd, each body in work with most others at once, is the same on many threads as on one, and nothing is "
       "worked out twice",
@@ -105,18 +170,26 @@ void contacts_are_those_of_all_pairs(Suite& t) {
           owned.push_back(std::make_unique<ClusterBody>(tree, Skinning::spherical)), bodies.push_back(owned.back().get());
         long contacts = 0;
         for (long frame = 0; frame < frames; ++frame) {
+          std::mt19937 random(static_cast<unsigned>(frame));
+          std::uniform_real_distribution<double> place(-0.3, 0.3), time(0, man.clips[0].duration);
+          std::vector<Pose> poses;
+          std::vector<RigidTransform<double>> placements;
+          for (int i = 0; i < count; ++i) {
+            poses.push_back(man.clips[0].sample(time(random)));
+            placements.push_back({identity_quaternion<double>(), Point3(place(random), place(random), place(random))});
+          }
           const auto begin = [&] {
-            std::mt19937 random(static_cast<unsigned>(frame));
-            std::uniform_real_distribution<double> place(-0.3, 0.3), time(0, man.clips[0].duration);
-            for (auto* body : bodies)
-              body->begin(man.clips[0].sample(time(random)),
-                          {identity_quaternion<double>(), Point3(place(random), place(random), place(random))});
+            for (int i = 0; i < count; ++i) bodies[i]->begin(poses[i], placements[i]);
           };
           begin();
           const CrowdOutcome one = outcome_of(bodies, one_worker());
           begin();
-          if (!(outcome_of(bodies, oracle::workers_on_threads<8>()) == one))
-            return Checked(false, frame, "frame " + std::to_string(frame));
+          const auto many = oracle::workers_on_threads<8>();
+          if (!(outcome_of(bodies, many) == one)) return Checked(false, frame, "frame " + std::to_string(frame));
+          if (!(outcome_of(bodies, [&](CrowdCounts& counts) {
+                  return collide_all(bodies, poses, placements, Query::full, counts, many);
+                }) == one))
+            return Checked(false, frame, "frame " + std::to_string(frame) + ", from poses");
           contacts += static_cast<long>(one.contacts.size());
         }
         return Checked(contacts > 30 * frames, frames, std::to_string(contacts) + " contacts");
@@ -258,10 +331,102 @@ void made_on_several_threads(Suite& t) {
             });
 }
 
+void bodies_of_all_ways_in_one_list(Suite& t) {
+  t.example("bodies of two trees, skinned in all ways, take turns in a list, and have the contacts of those that have begun", {},
+            [] {
+              const auto small = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1})),
+                         large = bake(gen::make_mesh({gen::MeshKind::tube, 8, 7, 5, 2}));
+              const ClusterTree trees[] = {ClusterTree(small, {.most_triangles = 5}), ClusterTree(large, {.most_triangles = 9})};
+              std::mt19937 random(5);
+              std::uniform_real_distribution<double> place(-6, 6);
+              constexpr int count = 40;
+              std::vector<std::unique_ptr<ClusterBody>> owned;
+              std::vector<ClusterBody*> bodies;
+              for (int i = 0; i < count; ++i) {
+                const Skinning skinning = gen::all_skinnings[i / 3 % std::size(gen::all_skinnings)];
+                owned.push_back(std::make_unique<ClusterBody>(trees[i / 2 % 2], skinning)), bodies.push_back(owned.back().get());
+              }
+              std::size_t contacts = 0;
+              bool ok = true;
+              for (int frame = 0; frame < 6; ++frame) {
+                std::vector<Pose> poses;
+                std::vector<RigidTransform<double>> placements;
+                for (const ClusterBody* body : bodies) {
+                  poses.push_back(gen::random_pose(body->tree().character().mesh, random, 0.3));
+                  placements.push_back({gen::random_rotation(random, 1), {place(random), place(random), place(random)}});
+                }
+                CrowdCounts counts, of_begun;
+                auto found = collide_all(bodies, poses, placements, Query::full, counts);
+                for (int i = 0; i < count; ++i) bodies[i]->begin(poses[i], placements[i]);
+                auto expected = collide_all(bodies, Query::full, of_begun);
+                ok = ok && found.size() == expected.size() && counts.pairs_of_boxes == of_begun.pairs_of_boxes;
+                for (std::size_t i = 0; ok && i < found.size(); ++i)
+                  ok = found[i].first == expected[i].first && found[i].second == expected[i].second &&
+                       sorted(found[i].pairs) == sorted(expected[i].pairs);
+                contacts += found.size();
+              }
+              return Checked(ok && contacts > 20, 6 * count, std::to_string(contacts) + " contacts");
+            });
+}
+
+void refused_lists(Suite& t) {
+  t.example("a body that is listed twice, and one that is not there, are refused by their places", {}, [] {
+    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
+    const ClusterTree tree(c);
+    ClusterBody a(tree, Skinning::linear), b(tree, Skinning::linear);
+    for (ClusterBody* body : {&a, &b}) body->begin(reference_pose(c.mesh), {});
+    const auto refusal = [](std::vector<ClusterBody*> bodies) -> std::string {
+      CrowdCounts counts;
+      try {
+        collide_all(bodies, Query::full, counts);
+      } catch (const std::invalid_argument& e) {
+        return e.what();
+      }
+      return "";
+    };
+    return Checked(refusal({&b, &a}).empty() && refusal({&a, &b, &a}) == "collide_all: body 2 is body 0 again" &&
+                       refusal({&b, nullptr}) == "collide_all: body 1 is null",
+                   3);
+  });
+  t.example("so are poses or placements that are too few or too many, and those that no frame takes", {}, [] {
+    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
+    const ClusterTree tree(c);
+    ClusterBody a(tree, Skinning::linear), b(tree, Skinning::linear);
+    ClusterBody* const bodies[] = {&a, &b};
+    const Pose still = reference_pose(c.mesh);
+    Pose wrong = still;
+    wrong[0].translation[1] = infinite;
+    const RigidTransform<double> here;
+    const RigidTransform<double> longer{identity_quaternion<double>() * 2.0, {0, 0, 0}};
+    const auto refusal = [&](const std::vector<Pose>& poses,
+                             const std::vector<RigidTransform<double>>& placements) -> std::string {
+      CrowdCounts counts;
+      try {
+        collide_all(bodies, poses, placements, Query::full, counts);
+      } catch (const std::exception& e) {
+        return e.what();
+      }
+      return "";
+    };
+    const auto says = [](const std::string& all, const char* part) { return all.find(part) != std::string::npos; };
+    bool ok = true;
+    for (int times = 0; times < 2; ++times) {  // at first, no body is known to have neighbours
+      ok = ok && refusal({still}, {here, here}) == "collide_all: 2 bodies, but 1 poses" &&
+           refusal({still, still}, {here, here, here}) == "collide_all: 2 bodies, but 3 placements";
+      ok = ok && says(refusal({still, wrong}, {here, here}), "its transform is not finite") &&
+           says(refusal({still, still}, {here, longer}), "the body's placement is not rigid") &&
+           says(refusal({still, Pose()}, {here, here}), "has 0 transforms for");
+      ok = ok && has_begun(a) == (times > 0) && refusal({still, still}, {here, here}).empty() && has_begun(a) && has_begun(b);
+    }
+    return Checked(ok, 11, refusal({still, Pose()}, {here, here}));
+  });
+}
+
 }  // namespace
 
 PROPTEST(crowd) {
   contacts_are_those_of_all_pairs(t);
+  a_dense_crowd(t);
   made_on_several_threads(t);
   t.holds(
       "contacts of bodies of different trees and skinnings, affine and deformed ones among them, are those of testing all pairs",
@@ -290,24 +455,8 @@ PROPTEST(crowd) {
                              counts.queries.ball_tests == 11 + one_by_one.ball_tests &&
                              counts.queries.triangle_tests == 13 + one_by_one.triangle_tests);
             });
-  t.example("a body that is listed twice, and one that is not there, are refused by their places", {}, [] {
-    const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
-    const ClusterTree tree(c);
-    ClusterBody a(tree, Skinning::linear), b(tree, Skinning::linear);
-    for (ClusterBody* body : {&a, &b}) body->begin(reference_pose(c.mesh), {});
-    const auto refusal = [](std::vector<ClusterBody*> bodies) -> std::string {
-      CrowdCounts counts;
-      try {
-        collide_all(bodies, Query::full, counts);
-      } catch (const std::invalid_argument& e) {
-        return e.what();
-      }
-      return "";
-    };
-    return Checked(refusal({&b, &a}).empty() && refusal({&a, &b, &a}) == "collide_all: body 2 is body 0 again" &&
-                       refusal({&b, nullptr}) == "collide_all: body 1 is null",
-                   3);
-  });
+  bodies_of_all_ways_in_one_list(t);
+  refused_lists(t);
   t.example("a body that has begun no frame is refused by name, whichever thread comes upon it", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
     const ClusterTree tree(c);

@@ -256,6 +256,17 @@ std::vector<Entry> query_entries() {
                               collide_all(bodies, Query::full, counts, two ? oracle::workers_on_threads<2>() : one_worker()))
                            out.add(contact.first), out.add(contact.second), out.add_all(contact.pairs);
                        }});
+  entries.push_back({"collide_all, from poses", [](const World& w, Bytes& out) {
+                       ClusterBody a(w.clusters, Skinning::spherical), b(w.clusters, Skinning::spherical);
+                       ClusterBody* const bodies[] = {&a, &b};
+                       const Pose poses[] = {w.pose, w.pose};
+                       const RigidTransform<double> placements[] = {{}, w.near};
+                       for (int times = 0; times < 2; ++times) {
+                         CrowdCounts counts;
+                         for (const Contact& contact : collide_all(bodies, poses, placements, Query::full, counts))
+                           out.add_all(contact.pairs);
+                       }
+                     }});
   entries.push_back({"meeting_boxes", [](const World&, Bytes& out) {
                        // Two boxes are apart by a denormal. They are apart only if denormals are kept.
                        const std::vector<Box<double>> boxes{

@@ -40,8 +40,9 @@ void put_float_box(const Box<double>& box, double lost, int i, BoxBlock<float>* 
 
 ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
     : tree_(tree),
+      way_(tree.way_of(skinning)),
       skinning_(skinning),
-      motion_bound_(tree.way_of(skinning).motion_bound),
+      motion_bound_(way_.motion_bound),
       clusters_(tree, skinning),
       joints_(tree.character().sets),
       wide_nodes_made_(tree.wide_nodes().size()),

@@ -31,6 +31,7 @@ class ClusterBody {
   void begin(const AffinePose& pose, const RigidTransform<double>& placement, const std::vector<double>& weights = {});
 
   const ClusterTree& tree() const { return tree_; }
+  const WayOfSkinning& way() const { return way_; }
 
   // All functions below that make boxes or skin throw std::logic_error if the body is in no frame.
 
@@ -68,6 +69,9 @@ class ClusterBody {
   }
   // Says that queries of this frame may come in any order, and that its boxes must not depend on that.
   void share() { is_shared_ = true; }
+  // Remembers whether collide_all found the body's motion bound to meet another one's. It then begins the next frame for it at once.
+  void set_neighbours(bool has) { has_neighbours_ = has; }
+  bool has_neighbours() const { return has_neighbours_; }
 
   // Returns whether clusters are skinned in float, except joint-sets for which this is not known to be right.
   bool is_skinned_in_float() const { return !is_deformed_ && (skinning_ == Skinning::spherical || skinning_ == Skinning::hejl); }
@@ -132,7 +136,9 @@ class ClusterBody {
   void box_skinned(const WideNode& wide_node, BoxBlock<float>* blocks, Box<float>& whole);
 
   const ClusterTree& tree_;
+  const WayOfSkinning& way_;
   const Skinning skinning_;
+  bool has_neighbours_ = false;
   MotionBound motion_bound_;
   SkinnedClusters clusters_;
   Pose pose_;
