@@ -385,8 +385,9 @@ void refused_lists(Suite& t) {
       return "";
     };
     return Checked(refusal({&b, &a}).empty() && refusal({&a, &b, &a}) == "collide_all: body 2 is body 0 again" &&
+                       refusal({&a, &a}) == "collide_all: body 1 is body 0 again" &&
                        refusal({&b, nullptr}) == "collide_all: body 1 is null",
-                   3);
+                   4);
   });
   t.example("so are poses or placements that are too few or too many, and those that no frame takes", {}, [] {
     const auto c = bake(gen::make_mesh({gen::MeshKind::tube, 3, 3, 2, 1}));
