@@ -5,22 +5,22 @@ namespace refitlab {
 
 std::vector<DetectorKind> baseline_kinds() {
   const auto baseline = Origin::baseline;
-  return {{"brown", "sphere tree, refitted bottom-up [Brown et al. 2001]", baseline, make_brown},
-          {"aabb_tree", "tree of axis-aligned boxes, one triangle a leaf, refitted bottom-up [van den Bergen 1997]", baseline,
-           make_aabb_tree},
-          {"skin_all_float",
-           "skins everything in float, clusters of 256 triangles with their boxes; clusters whose boxes meet are culled and "
-           "filtered in "
-           "float, and only what that leaves unknown is decided on vertices in double",
-           baseline, make_skin_all_float},
-          {"skin_all_float_512",
-           "the same with clusters of 512 triangles, which are fewer to skin and to compare, but more loosely boxed", baseline,
-           make_skin_all_float_512},
-          {"cgal_aabb", "CGAL's AABB_tree of the first body, rebuilt, asked with the second one's triangles' boxes", baseline,
-           make_cgal_aabb},
-          {"spatial_hash",
-           "hash of a uniform grid's cells with the first body's triangles, asked with the second one's [Teschner et al. 2003]",
-           baseline, make_spatial_hash}};
+  return {
+      {"brown", "sphere tree, refitted bottom-up [Brown et al. 2001]", baseline, make_brown},
+      {"aabb_tree", "tree of axis-aligned boxes, one triangle a leaf, refitted bottom-up [van den Bergen 1997]", baseline,
+       make_aabb_tree},
+      {"skin_all_float",
+       "skins everything in float, clusters of 256 triangles with their boxes; clusters whose boxes meet are compared in float, "
+       "and only what that leaves unknown is decided on vertices in double",
+       baseline, make_skin_all_float},
+      {"skin_all_float_512",
+       "the same with clusters of 512 triangles, which are fewer to skin and to compare, but more loosely boxed", baseline,
+       make_skin_all_float_512},
+      {"cgal_aabb", "CGAL's AABB_tree of the first body, rebuilt, asked with the second one's triangles' boxes", baseline,
+       make_cgal_aabb},
+      {"spatial_hash",
+       "hash of a uniform grid's cells with the first body's triangles, asked with the second one's [Teschner et al. 2003]",
+       baseline, make_spatial_hash}};
 }
 
 std::vector<DetectorKind> engine_kinds() {

@@ -218,6 +218,33 @@ std::vector<Entry> refitting_entries() {
   return entries;
 }
 
+std::vector<Entry> crowd_entries() {
+  std::vector<Entry> entries;
+  for (const bool two : {false, true})
+    entries.push_back({two ? "collide_all, on two threads" : "collide_all, on one thread", [two](const World& w, Bytes& out) {
+                         ClusterBody a(w.clusters, Skinning::spherical), b(w.clusters, Skinning::spherical),
+                             c(w.clusters, Skinning::linear);
+                         a.begin(w.pose, {}), b.begin(w.pose, w.near), c.begin(w.pose, w.near);
+                         ClusterBody* const bodies[] = {&a, &b, &c};
+                         CrowdCounts counts;
+                         for (const Contact& contact :
+                              collide_all(bodies, Query::full, counts, two ? oracle::workers_on_threads<2>() : one_worker()))
+                           out.add(contact.first), out.add(contact.second), out.add_all(contact.pairs);
+                       }});
+  entries.push_back({"collide_all, from poses", [](const World& w, Bytes& out) {
+                       ClusterBody a(w.clusters, Skinning::spherical), b(w.clusters, Skinning::spherical);
+                       ClusterBody* const bodies[] = {&a, &b};
+                       const Pose poses[] = {w.pose, w.pose};
+                       const RigidTransform<double> placements[] = {{}, w.near};
+                       for (int times = 0; times < 2; ++times) {
+                         CrowdCounts counts;
+                         for (const Contact& contact : collide_all(bodies, poses, placements, Query::full, counts))
+                           out.add_all(contact.pairs);
+                       }
+                     }});
+  return entries;
+}
+
 std::vector<Entry> query_entries() {
   std::vector<Entry> entries;
   for (const Skinning skinning : gen::all_skinnings)
@@ -245,28 +272,7 @@ std::vector<Entry> query_entries() {
                        QueryCounts counts;
                        out.add_all(collide({a, {}}, {a, w.near}, Query::full, counts));
                      }});
-  for (const bool two : {false, true})
-    entries.push_back({two ? "collide_all, on two threads" : "collide_all, on one thread", [two](const World& w, Bytes& out) {
-                         ClusterBody a(w.clusters, Skinning::spherical), b(w.clusters, Skinning::spherical),
-                             c(w.clusters, Skinning::linear);
-                         a.begin(w.pose, {}), b.begin(w.pose, w.near), c.begin(w.pose, w.near);
-                         ClusterBody* const bodies[] = {&a, &b, &c};
-                         CrowdCounts counts;
-                         for (const Contact& contact :
-                              collide_all(bodies, Query::full, counts, two ? oracle::workers_on_threads<2>() : one_worker()))
-                           out.add(contact.first), out.add(contact.second), out.add_all(contact.pairs);
-                       }});
-  entries.push_back({"collide_all, from poses", [](const World& w, Bytes& out) {
-                       ClusterBody a(w.clusters, Skinning::spherical), b(w.clusters, Skinning::spherical);
-                       ClusterBody* const bodies[] = {&a, &b};
-                       const Pose poses[] = {w.pose, w.pose};
-                       const RigidTransform<double> placements[] = {{}, w.near};
-                       for (int times = 0; times < 2; ++times) {
-                         CrowdCounts counts;
-                         for (const Contact& contact : collide_all(bodies, poses, placements, Query::full, counts))
-                           out.add_all(contact.pairs);
-                       }
-                     }});
+  for (Entry& entry : crowd_entries()) entries.push_back(std::move(entry));
   entries.push_back({"meeting_boxes", [](const World&, Bytes& out) {
                        // Two boxes are apart by a denormal. They are apart only if denormals are kept.
                        const std::vector<Box<double>> boxes{
