@@ -419,7 +419,7 @@ void refused_lists(Suite& t) {
            says(refusal({still, Pose()}, {here, here}), "has 0 transforms for");
       ok = ok && has_begun(a) == (times > 0) && refusal({still, still}, {here, here}).empty() && has_begun(a) && has_begun(b);
     }
-    return Checked(ok, 11, refusal({still, Pose()}, {here, here}));
+    return Checked(ok, 12, refusal({still, Pose()}, {here, here}));
   });
 }
 
