@@ -7,7 +7,7 @@ function(refitlab_kernels library)
   set_source_files_properties(${kernels} PROPERTIES COMPILE_OPTIONS -O3)
   # Products and sums may be fused where nothing but the size of what rounding loses is counted on: fused ones lose less.
   foreach(kernel batch/refit_kernel batch/float_skin_kernel collide/cluster_pair_kernel collide/motion_bound_kernel
-                 collide/motion_bound_piece_kernel)
+                 collide/motion_bound_piece_kernel collide/pose_change_kernel)
     set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/runtime/${kernel}.cpp PROPERTIES
                                 COMPILE_OPTIONS "-O3;-ffp-contract=fast")
   endforeach()

@@ -284,7 +284,7 @@ Verdict splits_spread(const std::vector<RigidTransform<S>>& transforms, const Ve
 }  // namespace refitlab
 
 // Sources: none.
-// Used by: c8_any_pose; algorithms/bake/over_time/moving_vertices.cpp,
+// Used by: b9_pose_change, c8_any_pose; algorithms/bake/over_time/moving_vertices.cpp,
 // algorithms/runtime/collide/motion_bound_lanes.hpp, algorithms/runtime/collide/motion_bound_packs.cpp,
-// algorithms/runtime/collide/motion_bound_piece_kernel.cpp, experiments/drawings/control_hulls.cpp,
-// experiments/drawings/motion.cpp.
+// algorithms/runtime/collide/motion_bound_piece_kernel.cpp, algorithms/runtime/collide/pose_change.cpp,
+// experiments/drawings/control_hulls.cpp, experiments/drawings/motion.cpp.

@@ -9,6 +9,7 @@
 #include "lemmas/b6_dual_quaternion_ball.hpp"
 #include "lemmas/b7_motion_bound.hpp"
 #include "lemmas/b8_blend_error.hpp"
+#include "lemmas/b9_pose_change.hpp"
 #include "lemmas/s43_minkowski_sum.hpp"
 #include "lemmas/t3_one_cap.hpp"
 
@@ -113,6 +114,24 @@ void b8(Plane &p) {
   p.path("curve", images);
   p.dot("dot", {0, 0}, "axis"), p.dot("dot_in", flat(x), "R x");
 }
+// Two joints turn a little against one another, and go on a little.
+void b9(Plane &p) {
+  const Point3D point(1.2, 0.3, 0);
+  const auto old = two_joints();
+  const std::vector<RigidTransform<double>> now{{turn(-6), {0.05, 0.1, 0}}, {turn(86), {0.45, 0.45, 0}}};
+  const auto before = images_of<double>(old, point), after = images_of<double>(now, point);
+  PoseChangeBounds<double> bounds{dot(old[0].rotation, old[1].rotation), 0, 0, std::sqrt(squared_spread(before))};
+  for (std::size_t k = 0; k < old.size(); ++k) {
+    bounds.turn = std::max(bounds.turn, norm<double, 4>(now[k].rotation - old[k].rotation));
+    bounds.moved = std::max(bounds.moved, norm<double, 3>(after[k] - before[k]));
+  }
+  const double share = std::sqrt(squared_deviation_share(bounds.cosine_after()));
+  const double length = growth_by_change(bounds.moved, share, bounds.spread_after(old.size()));
+  for (const auto &c : before) p.circle("ball", flat(c), length), p.dot("dot", flat(c), "C f");
+  for (const auto &c : after) p.dot("dot_in", flat(c), "C' f");
+  p.path("line", {flat(before[0]), flat(before[1])});
+  p.path("curve", curve_of(dual_blend(now, point)));
+}
 
 }  // namespace
 
@@ -146,7 +165,11 @@ const std::vector<Drawing> &drawings_of_control_hulls() {
                                         {"b8_blend_error", b8,
                                          "The images of a point by all quaternions in a plane that are off by a quarter "
                                          "of their length, and the ball that "
-                                         "holds them."}};
+                                         "holds them."},
+                                        {"b9_pose_change", b9,
+                                         "The images of a point in one pose, and its way in another pose, by dual quaternions: "
+                                         "the hull of these balls holds it, made of the old images and of how far the joints "
+                                         "are from where they were."}};
   return all;
 }
 

@@ -103,8 +103,8 @@ packs of floats first. The rows of engines and of the sphere tree skin in double
 
 The last two rows are no detectors: they are told beforehand where to look, and skin and compare that alone. In contact most of the time goes into comparing
 triangles, which all of these must do. If the third row needed no time at
-all for skinning and bounds, it would be {ceilings['light']} times as fast in *light*, and {ceilings['heavy']} times in *heavy*. In *far* any method is as fast behind a box
-around the whole character, such as our motion bound: the third row then takes {digits(paper_numbers.time_of(results, 'far', 'skin_all_float_bounded'), 2)} microseconds.
+all for skinning and bounds, it would be {ceilings['light']} times as fast in *light*, and {ceilings['heavy']} times in *heavy*. In *far* any method is as fast behind the same boxes
+around whole characters. Behind our motion bound, made anew in each frame, the third row takes {digits(paper_numbers.time_of(results, 'far', 'skin_all_float_bounded'), 2)} microseconds.
 """
 
 
@@ -142,7 +142,8 @@ bounds meet. All detectors find the same contacts, which is checked in each fram
 |---|{'---|' * len(numbers)}
 """ + "\n".join(rows) + f"""
 
-*Apart*, any method is fast behind a box around the whole character, as in the last row but one. What a man costs hardly depends on how many others are far from
+*Apart*, any method is fast behind a box around the whole character, as in the last row but one, for which the motion bound is made in each frame. `collide_all`
+makes it now and then, and in between blows it up by what joints have moved, which would serve the others as well. What a man costs hardly depends on how many others are far from
 him, but for caches, which a thousand men do not fit into. Comparing {most:,} boxes with each other is {digits(boxes, 2)} nanoseconds of it.
 """
 

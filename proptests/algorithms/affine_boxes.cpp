@@ -427,7 +427,7 @@ void check_refused_frames() {
   stretched[0].rotation *= 2, few.pop_back();
   const bool is_deformed = random() % 2;
   const Deformation deformation{is_deformed ? gen::random_weights(mesh, random) : std::vector<double>(), {}};
-  body.expect_no_bound(random() % 2);
+  body.expect(std::array{ClusterBody::Need::bound, ClusterBody::Need::nodes, ClusterBody::Need::skin}[random() % 3]);
   body.begin(pose, {}, deformation);
   const auto refused = [&](const auto& begin) { RC_ASSERT(gen::refuses<ModelError>(begin)); };
   const std::vector<double> one_too_many(static_cast<std::size_t>(mesh.targets.count) + 1, 0.5);

@@ -11,8 +11,10 @@
 #include "algorithms/runtime/collide/motion_bound_lanes.hpp"
 #include "algorithms/runtime/collide/motion_bound_packs.hpp"
 #include "algorithms/runtime/collide/placement.hpp"
+#include "algorithms/runtime/collide/pose_change_kernel.hpp"
 #include "algorithms/runtime/skinning/palette_rounding.hpp"
 #include "lemmas/a1_affine_image.hpp"
+#include "lemmas/b9_pose_change.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/cap_budget.hpp"
 #include "proptests/oracles/derived_budgets.hpp"
@@ -162,6 +164,37 @@ Checked check_motion_bound() {
   const double of_square = squared_norm(rounded_input<4>(1)).in_u();
   budgets.add("surely rigid", of_square, (1e-6 - surely_rigid) / u);
   budgets.add("surely not rigid", of_square, (surely_not_rigid - 1e-6) / u);
+  return budgets.checked();
+}
+
+// Checks what a box of an earlier pose allows for, beside what it allowed for in that pose: the errors of a motion bound of the later
+// pose, and those of how far joints have moved, which is between images of both poses.
+Checked check_pose_change() {
+  DerivedBudgets budgets;
+  const double share = std::sqrt(squared_deviation_share(0.0)) + error_share(1e-6);
+  for (int n = 1; n <= most_motion_bound_joints; ++n) {
+    const double of_later = 1 + share * std::sqrt(n * (n - 1) / 2.0) * 2,
+                 of_moved = growth_by_change(1.0, share, spread_after_change(0.0, double(n), 1.0));
+    const auto add = [&](const char* what, double f, double later, double earlier, double allowed) {
+      const double e = error_of_image(f, later, image_by_quaternion), e_before = error_of_image(f, earlier, image_by_quaternion);
+      // Both are rounded once more in their difference, whose length takes as much of itself as a motion bound does.
+      budgets.add(std::to_string(n) + " joints, per " + what, of_later * (e + 2) + of_moved * (e + e_before + 2), allowed / u);
+    };
+    add("|f|", 1, tiny, tiny, lost_of_growth(n, 1, 0, 0));
+    add("later |t|", tiny, 1, tiny, lost_of_growth(n, 0, 0, 1));
+    add("earlier |t|", tiny, tiny, 1, lost_of_growth(n, 0, 1, 0));
+    // A turn is between two rounded quaternions, and a point is at most twice as far from its anchor as from the origin.
+    const Quaternion<Budget> difference = rounded_input<4>(1) - rounded_input<4>(1);
+    const double of_turn = whole(difference).in_u() + stretch / 2;
+    budgets.add("a turn", of_turn, lost_of_turn / u);
+    budgets.add("a turn of a point about an anchor", of_moved * moved_at_most(0.0, of_turn, 2.0),
+                lost_of_growth(n, 1, 0, 0) / u - of_later * (error_of_image(1, tiny, image_by_quaternion) + 2) -
+                    2 * of_moved * (error_of_image(1, tiny, image_by_quaternion) + 1));
+  }
+  budgets.add("a cosine of the later pose", stretch, lost_of_cosine / u);
+  // A length takes three roundings of itself, and its product with a radius and the sum one each.
+  const Budget squared = squared_norm(of_length<0, 3>(1, 0)), far = root(Budget(1, squared.error, 1));
+  budgets.add("per growth", (far + Budget(1, 0, 0) * far).in_u() + 4, lost_of_motion_bound / u);
   return budgets.checked();
 }
 
@@ -438,6 +471,7 @@ PROPTEST(bound_budgets) {
   const Options options{.number_type = "bounds of float"};
   t.example("the refit's slack allows for what float may lose", options, check_refit);
   t.example("the motion bound allows for what float may lose of images", options, check_motion_bound);
+  t.example("a box of an earlier pose allows for what float may lose of how far joints have moved", options, check_pose_change);
   t.example("the cosine that the motion bound uses is below the exact one", {.number_type = "float against double"},
             check_cosines);
   t.example("boxes in float allow for what growing and moving them may lose", options, check_float_boxes);

@@ -701,7 +701,7 @@ void bodies_that_are_skinned_whole(Suite& t) {
         fresh.begin(men.walk.sample(0.1), in_place);
         const Box<double> late = a.motion_bound(), soon = fresh.motion_bound();
         ok = ok && late.low == soon.low && late.high == soon.high && a.wide_node_box(0).low == fresh.wide_node_box(0).low;
-        a.expect_no_bound(true);
+        a.expect(ClusterBody::Need::skin);
         a.begin(men.walk.sample(0.1), in_place);
         ok = ok && a.wide_node_box(0).low == fresh.wide_node_box(0).low;
         try {

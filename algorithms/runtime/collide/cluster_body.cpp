@@ -43,6 +43,7 @@ ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
       way_(tree.way_of(skinning)),
       skinning_(skinning),
       motion_bound_(way_.motion_bound),
+      pose_change_(motion_bound_),
       clusters_(tree, skinning),
       joints_(tree.character().sets),
       wide_nodes_made_(tree.wide_nodes().size()),
@@ -58,19 +59,21 @@ void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placemen
   const DefaultFloatEnvironment environment;
   check_placement(placement, tree_.character().mesh.name, "the body's placement");
   const SkinnedMesh& mesh = tree_.character().mesh;
-  std::optional<Box<double>> bound;
+  std::optional<Box<double>> bound, coarse_bound;
   are_joints_placed_ = false;  // a frame before does without them if this one is refused
-  if (!deformation.is_none() || is_no_bound_expected_) {
-    check_pose(mesh, pose);
-  } else {
-    bound = motion_bound_.checked_box(pose, placement);
-  }
+  bool are_placed = false;
+  if (!deformation.is_none() || need_ == Need::skin) check_pose(mesh, pose);
+  else if (need_ == Need::nodes) are_placed = motion_bound_.place_checked(pose, placement);
+  else if (coarse_bound = pose_change_.box(pose, placement); !coarse_bound) bound = motion_bound_.checked_box(pose, placement);
   const DeformedReference* const reference = deform(deformation);
   // Nothing is refused from here on.
-  is_motion_bound_made_ = false;
-  if (bound) set_motion_bound(*bound);
   pose_ = pose;
   placement_ = placement;
+  is_motion_bound_made_ = false;
+  are_joints_placed_ = are_placed;
+  if (bound) set_motion_bound(*bound);
+  is_coarse_bound_made_ = coarse_bound.has_value();
+  if (coarse_bound) coarse_bound_ = *coarse_bound;
   is_affine_ = false;
   clusters_.begin(pose_, placement_, placement_.translation, reference);
   start();
@@ -91,6 +94,7 @@ void ClusterBody::begin(const AffinePose& pose, const RigidTransform<double>& pl
   clusters_.begin(pose, placement, placement.translation, reference);
   placement_ = placement;
   is_affine_ = true;
+  is_coarse_bound_made_ = false;
   is_motion_bound_made_ = !is_deformed_;
   if (!is_deformed_) motion_bound_box_ = motion_bound_.box(pose, placement);
   start();
@@ -122,12 +126,13 @@ void ClusterBody::start() {
 void ClusterBody::lose_frame() {
   clusters_.end();
   wide_nodes_made_.begin();
-  is_motion_bound_made_ = false;
+  is_motion_bound_made_ = is_coarse_bound_made_ = false;
 }
 
 void ClusterBody::make_motion_bound() {
   const DefaultFloatEnvironment environment;
   clusters_.require_frame();
+  if (is_coarse_bound_made_) give_up_coarse_bound();
   if (!is_deformed_) return set_motion_bound(motion_bound_.box(pose_, placement_));
   motion_bound_box_ = box_of_deformed(0);
   const Point3& to = placement_.translation;
@@ -160,6 +165,18 @@ void ClusterBody::set_motion_bound(const Box<double>& box) {
   motion_bound_box_ = box;
   is_motion_bound_made_ = true;
   are_joints_placed_ = std::isfinite(box.low[0]);
+  pose_change_.start(motion_bound_, pose_, placement_);
+}
+
+Box<double> ClusterBody::coarse_bound_of(const Pose& pose, const RigidTransform<double>& placement, MotionBound& motion_bound,
+                                         bool& is_coarse) {
+  check_placement(placement, tree_.character().mesh.name, "the body's placement");
+  const auto coarse = pose_change_.box(pose, placement);
+  is_coarse = coarse.has_value();
+  if (coarse) return *coarse;
+  const Box<double> box = motion_bound.checked_box(pose, placement);
+  pose_change_.start(motion_bound, pose, placement);
+  return box;
 }
 
 void ClusterBody::skin_all() {
@@ -209,13 +226,18 @@ void ClusterBody::bound_in_double(int f) {
 double ClusterBody::bound_in_float(const WideNode& wide_node) {
   const std::span<FlippedBox> boxes(flipped_.data(), wide_node.child_count);
   if (!wide_node.motion_bounds.empty() && skinning_ != Skinning::hejl) {
-    motion_bound();  // places the joints
-    if (are_joints_placed_ && motion_bound_.boxes(wide_node.motion_bounds, pose_, boxes)) return motion_bound_.lost();
+    if (place_joints() && motion_bound_.boxes(wide_node.motion_bounds, pose_, boxes)) return motion_bound_.lost();
   }
   const SkinningPalette<double>& palette = clusters_.whole_palette();
   if (!are_floats_filled_) joints_.fill(palette, skinning_), are_floats_filled_ = true;
   bound_boxes(wide_node.pieces, skinning_, joints_, palette, placement_.rotation, boxes);
   return 0;
+}
+
+// Returns false if nothing is known of the joints.
+bool ClusterBody::place_joints() {
+  if (!are_joints_placed_ && !is_motion_bound_made_) are_joints_placed_ = motion_bound_.place_checked(pose_, placement_);
+  return are_joints_placed_;
 }
 
 bool ClusterBody::has_only_clusters(int wide_node) const {

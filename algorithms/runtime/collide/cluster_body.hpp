@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "algorithms/runtime/collide/cluster_pairs.hpp"
-#include "algorithms/runtime/collide/motion_bound.hpp"
+#include "algorithms/runtime/collide/pose_change.hpp"
 #include "algorithms/runtime/refit/frame_refits.hpp"
 
 namespace refitlab {
@@ -35,15 +35,20 @@ class ClusterBody {
 
   // All functions below that make boxes or skin throw std::logic_error if the body is in no frame.
 
+  // Returns a box in the world around the whole body. While it is far from others, that is the one of PoseChange, and else the
+  // motion bound.
+  const Box<double>& coarse_bound() { return is_coarse_bound_made_ ? coarse_bound_ : motion_bound(); }
   // Returns a box in the world around the whole body, made from the joints alone; see MotionBound. With a deformation, it is
   // around the root's ball, which has all triangles.
   const Box<double>& motion_bound() {
     if (!is_motion_bound_made_) make_motion_bound();
     return motion_bound_box_;
   }
-  // Says whether queries of the frames to come will do without the motion bound, as far as is known. Then begin() does not make
-  // it; it is made if it is asked for.
-  void expect_no_bound(bool is_none) { is_no_bound_expected_ = is_none; }
+  // What queries will need first of a body: its bound, or the boxes of nodes, since it is near, or neither, since they skin.
+  enum class Need { bound, nodes, skin };
+  // Says what queries of the frames to come will need first, as far as is known. begin() makes no more, and what is asked for anyway is
+  // made then.
+  void expect(Need need) { need_ = need; }
 
   // These are boxes around all vertices below: those of a wide node's children, in blocks, and that around all of them. They
   // are seen from clusters().origin(), as ClusterTraversal takes them.
@@ -69,6 +74,13 @@ class ClusterBody {
   }
   // Says that queries of this frame may come in any order, and that its boxes must not depend on that.
   void share() { is_shared_ = true; }
+  // Returns coarse_bound() of a frame that the body does not begin, by a motion bound of its way() of skinning. is_coarse says
+  // whether motion_bound() would be tighter. Throws what begin does.
+  Box<double> coarse_bound_of(const Pose& pose, const RigidTransform<double>& placement, MotionBound& motion_bound,
+                              bool& is_coarse);
+  bool is_coarse_bound_made() const { return is_coarse_bound_made_; }
+  // Says that the last coarse bound was too large.
+  void give_up_coarse_bound() { pose_change_.give_up(), is_coarse_bound_made_ = false; }
   // Remembers whether collide_all found the body's motion bound to meet another one's. It then begins the next frame for it at once.
   void set_neighbours(bool has) { has_neighbours_ = has; }
   bool has_neighbours() const { return has_neighbours_; }
@@ -126,6 +138,7 @@ class ClusterBody {
   void start();
   void lose_frame();
   void make_motion_bound();
+  bool place_joints();
   void set_motion_bound(const Box<double>& box);
   void bound_wide_node(int wide_node);
   void bound_in_double(int wide_node);
@@ -139,13 +152,15 @@ class ClusterBody {
   const WayOfSkinning& way_;
   const Skinning skinning_;
   bool has_neighbours_ = false;
+  Need need_ = Need::bound;
   MotionBound motion_bound_;
+  PoseChange pose_change_;
   SkinnedClusters clusters_;
   Pose pose_;
   RigidTransform<double> placement_;
-  Box<double> motion_bound_box_;
+  Box<double> motion_bound_box_, coarse_bound_;
   JointFloats joints_;
-  bool is_motion_bound_made_ = false, is_no_bound_expected_ = false, is_affine_ = false, are_joints_placed_ = false,
+  bool is_motion_bound_made_ = false, is_coarse_bound_made_ = false, is_affine_ = false, are_joints_placed_ = false,
        are_floats_filled_ = false, is_rather_skinned_ = false, is_shared_ = false, is_deformed_ = false;
   std::optional<Deformed> deformed_;  // made when a frame first needs it
   FrameStamps wide_nodes_made_;

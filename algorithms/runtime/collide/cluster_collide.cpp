@@ -39,7 +39,7 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
   // Near bodies are told apart by their wide nodes, if at all.
   if (!memory || !memory->are_near) {
     ++counts.ball_tests;
-    if (are_apart(first.motion_bound(), second.motion_bound())) {
+    if (are_apart(first.coarse_bound(), second.coarse_bound()) || are_apart(first.motion_bound(), second.motion_bound())) {
       if (memory) memory->are_near = false, memory->count_query(0);
       return {};
     }
@@ -49,7 +49,7 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
   if (memory && query == Query::yes_no && touch_again(of_clusters, first.tree(), second.tree(), *memory)) {
     memory->are_near = true;
     memory->count_query(0);
-    first.expect_no_bound(true), second.expect_no_bound(true);  // they may touch again
+    first.expect(ClusterBody::Need::skin), second.expect(ClusterBody::Need::skin);  // they may touch again
     return {of_clusters.found()[0]};
   }
   const bool are_in_float = first.is_skinned_in_float() && second.is_skinned_in_float();
@@ -64,8 +64,10 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
     if (!memory->are_near) memory->count_query(0);
     else if (is_whole) memory->count_whole_query();
     else memory->count_query(are_in_float ? work_beyond_use(first) + work_beyond_use(second) : 0);
-    const bool is_no_bound_needed = memory->are_entangled() || (query == Query::yes_no && !pairs.empty());
-    first.expect_no_bound(is_no_bound_needed), second.expect_no_bound(is_no_bound_needed);
+    const auto need = memory->are_entangled() || (query == Query::yes_no && !pairs.empty()) ? ClusterBody::Need::skin
+                      : memory->are_near                                                    ? ClusterBody::Need::nodes
+                                                                                            : ClusterBody::Need::bound;
+    first.expect(need), second.expect(need);
   }
   if (query == Query::yes_no && pairs.size() > 1) pairs.resize(1);
   return std::move(pairs);

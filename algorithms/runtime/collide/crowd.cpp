@@ -35,12 +35,32 @@ void check(std::span<ClusterBody* const> bodies) {
                                   std::to_string(order[i - 1].second) + " again");
 }
 
-// Queries the pairs of bodies whose boxes meet. Before each query it calls begin(i) for both of its bodies, on which no other thread
-// works meanwhile.
+// BodyBounds are boxes around whole bodies. Some are coarse: their bodies' motion bounds are tighter.
+struct BodyBounds {
+  std::vector<Box<double>> boxes;
+  std::vector<char> are_coarse;
+
+  explicit BodyBounds(std::size_t count) : boxes(count), are_coarse(count) {}
+};
+
+// Returns the pairs of bodies whose bounds meet. motion_bound(i) returns the motion bound of one whose coarse bound meets another one.
+template <class MotionBoundOf>
+std::vector<std::pair<int, int>> meeting_bodies(BodyBounds& bounds, const Workers& workers, const MotionBoundOf& motion_bound) {
+  auto pairs = meeting_boxes(bounds.boxes);
+  std::vector<int> coarse;
+  for (const auto& [a, b] : pairs)
+    for (const int body : {a, b})
+      if (bounds.are_coarse[body]) coarse.push_back(body), bounds.are_coarse[body] = false;
+  if (coarse.empty()) return pairs;
+  for_each(workers, coarse.size(), [&](std::size_t i) { bounds.boxes[coarse[i]] = motion_bound(coarse[i]); });
+  std::erase_if(pairs, [&](const auto& pair) { return are_apart(bounds.boxes[pair.first], bounds.boxes[pair.second]); });
+  return pairs;
+}
+
+// Queries pairs of bodies. Before each query it calls begin(i) for both of its bodies, on which no other thread works meanwhile.
 template <class Begin>
-std::vector<Contact> contacts_of(std::span<ClusterBody* const> bodies, std::span<const Box<double>> boxes, Query query,
+std::vector<Contact> contacts_of(std::span<ClusterBody* const> bodies, const std::vector<std::pair<int, int>>& pairs, Query query,
                                  CrowdCounts& counts, const Workers& workers, const Begin& begin) {
-  const auto pairs = meeting_boxes(boxes);
   if (pairs.empty()) return {};
   counts.pairs_of_boxes += static_cast<long>(pairs.size());
   std::vector<Contact> found(pairs.size());
@@ -70,11 +90,11 @@ struct CrowdFrame {
   }
 };
 
-// Returns the motion bounds of some bodies. Bodies that met others when they were last asked for begin the frame, since they are
-// likely to do so again. The others need no data of their own.
-std::vector<Box<double>> motion_bounds(CrowdFrame& frame, const Workers& workers) {
+// Returns the coarse bounds of some bodies. Bodies that met others when they were last asked for begin the frame, since they are
+// likely to do so again.
+BodyBounds coarse_bounds(CrowdFrame& frame, const Workers& workers) {
   const auto& bodies = frame.bodies;
-  std::vector<Box<double>> out(bodies.size());
+  BodyBounds out(bodies.size());
   for_each(workers, (bodies.size() + bodies_at_once - 1) / bodies_at_once, [&](std::size_t task) {
     const std::size_t begin = task * bodies_at_once, end = std::min(bodies.size(), begin + bodies_at_once);
     // Bodies are far from each other in memory, and so these are read all together.
@@ -86,12 +106,14 @@ std::vector<Box<double>> motion_bounds(CrowdFrame& frame, const Workers& workers
     for (std::size_t i = begin; i < end; ++i) {
       if (const WayOfSkinning* const way = ways[i - begin]) {
         if (way != last) last = way, bound.emplace(way->motion_bound);
-        check_placement(frame.placements[i], bodies[i]->tree().character().mesh.name, "the body's placement");
-        out[i] = bound->checked_box(frame.poses[i], frame.placements[i]);
+        bool is_coarse;
+        out.boxes[i] = bodies[i]->coarse_bound_of(frame.poses[i], frame.placements[i], *bound, is_coarse);
+        out.are_coarse[i] = is_coarse;
       } else {
         frame.begin(i);
         bodies[i]->set_neighbours(false);
-        out[i] = bodies[i]->motion_bound();
+        out.boxes[i] = bodies[i]->coarse_bound();
+        out.are_coarse[i] = bodies[i]->is_coarse_bound_made();
       }
     }
   });
@@ -103,9 +125,13 @@ std::vector<Box<double>> motion_bounds(CrowdFrame& frame, const Workers& workers
 std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query query, CrowdCounts& counts, const Workers& workers) {
   const DefaultFloatEnvironment environment;
   check(bodies);
-  std::vector<Box<double>> boxes(bodies.size());
-  for_each(workers, bodies.size(), [&](std::size_t i) { boxes[i] = bodies[i]->motion_bound(); });
-  return contacts_of(bodies, boxes, query, counts, workers, [](int) {});
+  BodyBounds bounds(bodies.size());
+  for_each(workers, bodies.size(), [&](std::size_t i) {
+    bounds.boxes[i] = bodies[i]->coarse_bound();
+    bounds.are_coarse[i] = bodies[i]->is_coarse_bound_made();
+  });
+  const auto pairs = meeting_bodies(bounds, workers, [&](int i) { return bodies[i]->motion_bound(); });
+  return contacts_of(bodies, pairs, query, counts, workers, [](int) {});
 }
 
 std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, std::span<const Pose> poses,
@@ -120,8 +146,13 @@ std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, std::span
   };
   require(poses.size(), "poses"), require(placements.size(), "placements");
   CrowdFrame frame{bodies, poses, placements};
-  const auto boxes = motion_bounds(frame, workers);
-  return contacts_of(bodies, boxes, query, counts, workers, [&](int i) {
+  BodyBounds bounds = coarse_bounds(frame, workers);
+  const auto pairs = meeting_bodies(bounds, workers, [&](int i) {
+    if (!frame.has_begun[i]) bodies[i]->give_up_coarse_bound();
+    frame.begin(i);
+    return bodies[i]->motion_bound();
+  });
+  return contacts_of(bodies, pairs, query, counts, workers, [&](int i) {
     frame.begin(i);
     bodies[i]->set_neighbours(true);
   });

@@ -28,11 +28,11 @@ struct CrowdCounts {
 std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, Query query, CrowdCounts& counts,
                                  const Workers& workers = one_worker());
 
-// Does the same from a pose and a placement of each body, by their places in the list. A body begins the frame if its motion bound
-// meets that of another one, or did when this was last called. All others stay in the frame before, and cost little more than their
-// motion bound. So this is the way for crowds of which many are far from each other. Throws the same, also what ClusterBody::begin
-// throws, after which some of the bodies may have begun the frame, and std::invalid_argument if there are not as many poses or
-// placements as bodies.
+// Does the same from a pose and a placement of each body, by their places in the list. A body begins the frame if its bound meets that
+// of another one, or did when this was last called. All others stay in the frame before, and cost little more than a box by
+// PoseChange, or by MotionBound now and then. So this is the way for crowds of which many are far from each other. Throws the same,
+// also what ClusterBody::begin throws, after which some of the bodies may have begun the frame, and std::invalid_argument if there are
+// not as many poses or placements as bodies.
 std::vector<Contact> collide_all(std::span<ClusterBody* const> bodies, std::span<const Pose> poses,
                                  std::span<const RigidTransform<double>> placements, Query query, CrowdCounts& counts,
                                  const Workers& workers = one_worker());

@@ -7,23 +7,12 @@
 
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "algorithms/runtime/collide/affine_boxes.hpp"
+#include "algorithms/runtime/collide/placement.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/packs/look_up.hpp"
 #include "algorithms/runtime/skinning/rotation_center.hpp"
 
 namespace refitlab {
-namespace {
-
-// Moves a box whose coordinates may be off by lost, and grows it by that and by the roundings of this.
-void move(Box<double>& box, const Point3& by, double lost) {
-  for (int i = 0; i < 3; ++i) {
-    double &low = box.low[i], &high = box.high[i];
-    const double off = lost + 1e-14 * (std::max(std::abs(low), std::abs(high)) + std::abs(by[i]));
-    low += by[i] - off, high += by[i] + off;
-  }
-}
-
-}  // namespace
 
 MotionBound::MotionBound(const SkinnedMesh& mesh, const JointSets& sets, Skinning skinning)
     : mesh_(mesh),
@@ -93,13 +82,12 @@ std::vector<MotionBound::Group> MotionBound::make_groups() const {
   return groups;
 }
 
-bool MotionBound::deviates() const { return skinning_ == Skinning::spherical || skinning_ == Skinning::dual_quaternion; }
-
 // Puts the groups into packs. A group that does not deviate is in the hull of its joints' images, so it takes a few joints at a
 // time.
 MotionBound::Groups MotionBound::pack(std::vector<Group> groups) const {
   const DefaultFloatEnvironment environment;
-  Groups out{.all = std::move(groups)};
+  Groups out;
+  out.all = std::move(groups), out.anchors = make_anchors(out.all);
   int lane = 0;
   for (std::size_t i = 0; i < out.all.size(); ++i) {
     const Group& g = out.all[i];
@@ -121,6 +109,13 @@ MotionBound::Groups MotionBound::pack(std::vector<Group> groups) const {
   return out;
 }
 
+JointAnchors MotionBound::make_anchors(const std::vector<Group>& groups) const {
+  std::vector<std::vector<Point3>> points(mesh_.joints.size());
+  for (const Group& g : groups)
+    for (const int j : g.joints) points[static_cast<std::size_t>(j)].push_back(g.reference.center);
+  return make_joint_anchors(points);
+}
+
 // Bounds a group by its rotation centers. Whatever the rotations, a vertex is within its distance to the rotation center of the
 // hull of the center's images.
 void MotionBound::add_about_centers(const Group& g, const Pose& pose, const Quaternion<double>& rotation,
@@ -140,21 +135,28 @@ void MotionBound::add_about_centers(const Group& g, const Pose& pose, const Quat
   }
 }
 
-Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& placement, bool& is_rigid, Target target) {
-  const DefaultFloatEnvironment environment;
+// Runs the kernel on some packs, which places the joints, too. Returns false if nothing is known of them.
+bool MotionBound::run(std::span<const MotionBoundPack> packs, const Pose& pose, const RigidTransform<double>& placement,
+                      bool& is_rigid, Target target) {
   check_joint_count(mesh_, pose.size());
   defect_.reset();
   target_ = target;
-  const auto& packs = groups_->packs;
-  MotionBoundBox bounds;
+  is_bounded_ = false;
   motion_bound_kernels(target).bound(pose[0].rotation.data(), static_cast<int>(pose.size()), placement.rotation.data(),
                                      packs.data(), static_cast<int>(packs.size()), deviates(), numbers_.data()->lane.data(),
-                                     padded_joints_, bounds, unbounded_.data());
-  const float defect = bounds.high[3], squared_farthest = -bounds.low[3];
+                                     padded_joints_, bounds_, unbounded_.data());
+  const float defect = bounds_.high[3], squared_farthest = -bounds_.low[3];
   const bool is_finite = squared_farthest < infinite;
   is_rigid = is_finite && defect <= surely_rigid;
-  if (!(is_finite && defect <= surely_not_rigid && groups_->are_bounded)) return Box<double>::everything();
-  Box<double> box{{bounds.low[0], bounds.low[1], bounds.low[2]}, {bounds.high[0], bounds.high[1], bounds.high[2]}};
+  lost_of_joints_ = lost_of_motion_bound * groups_->most_joints * std::sqrt(static_cast<double>(squared_farthest));
+  return is_finite && defect <= surely_not_rigid && groups_->are_bounded;
+}
+
+Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& placement, bool& is_rigid, Target target) {
+  const DefaultFloatEnvironment environment;
+  const auto& packs = groups_->packs;
+  if (!run(packs, pose, placement, is_rigid, target)) return Box<double>::everything();
+  Box<double> box{{bounds_.low[0], bounds_.low[1], bounds_.low[2]}, {bounds_.high[0], bounds_.high[1], bounds_.high[2]}};
   const auto add_unbounded = [&](int group) {
     if (skinning_ == Skinning::dual_quaternion) box = Box<double>::everything();
     else add_about_centers(groups_->all[group], pose, placement.rotation, box);
@@ -162,9 +164,30 @@ Box<double> MotionBound::box(const Pose& pose, const RigidTransform<double>& pla
   for (const int group : groups_->others) add_unbounded(group);
   for (std::size_t p = 0; p < packs.size(); ++p)
     for (std::uint32_t lanes = unbounded_[p]; lanes; lanes &= lanes - 1) add_unbounded(packs[p].target[std::countr_zero(lanes)]);
-  lost_of_joints_ = lost_of_motion_bound * groups_->most_joints * std::sqrt(static_cast<double>(squared_farthest));
-  move(box, placement.translation, lost());
+  is_bounded_ = std::isfinite(box.low[0]);
+  move_box(box, placement.translation, lost());
   return box;
+}
+
+bool MotionBound::place_checked(const Pose& pose, const RigidTransform<double>& placement) {
+  const DefaultFloatEnvironment environment;
+  bool is_rigid;
+  const bool is_known = run({}, pose, placement, is_rigid, best_target());
+  if (!is_rigid) check_pose(mesh_, pose);
+  return is_known;
+}
+
+// A group that has no bound of its own has no positive cosine, or is among others.
+std::optional<MotionBound::Posed> MotionBound::posed() const {
+  const DefaultFloatEnvironment environment;
+  if (!is_bounded_ || !groups_->others.empty()) return {};
+  Posed out{{{bounds_.low[0], bounds_.low[1], bounds_.low[2]}, {bounds_.high[0], bounds_.high[1], bounds_.high[2]}},
+            *std::min_element(std::begin(bounds_.cosine), std::end(bounds_.cosine)),
+            *std::max_element(std::begin(bounds_.spread), std::end(bounds_.spread)),
+            std::sqrt(-static_cast<double>(bounds_.low[3]))};
+  if (!(out.cosine > 0)) return {};
+  out.turned.grow(lost());
+  return out;
 }
 
 Box<double> MotionBound::checked_box(const Pose& pose, const RigidTransform<double>& placement) {
@@ -186,7 +209,7 @@ Box<double> MotionBound::box(const AffinePose& pose, const RigidTransform<double
       const AffineMap<double>& map = placed[static_cast<std::size_t>(j)];
       box.merge(box_of_image(map, g.reference, g.box, sizes_of(map, static_cast<int>(g.joints.size()))));
     }
-  move(box, placement.translation, 0);
+  move_box(box, placement.translation, 0);
   return box;
 }
 

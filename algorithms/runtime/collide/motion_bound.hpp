@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "algorithms/runtime/collide/box_kernel.hpp"
+#include "algorithms/runtime/collide/joint_anchors.hpp"
 #include "algorithms/runtime/collide/motion_bound_packs.hpp"
 #include "algorithms/runtime/mesh/joint_sets.hpp"
 #include "algorithms/runtime/packs/lanes.hpp"
@@ -37,13 +38,31 @@ class MotionBound {
   // Returns the same for any pose. Throws ModelError for one that check_pose refuses.
   Box<double> checked_box(const Pose& pose, const RigidTransform<double>& placement);
 
+  // Places the joints alone, for boxes() to go on from, as box does, which takes longer. Returns false if boxes() cannot. Throws
+  // ModelError for a pose that check_pose refuses.
+  bool place_checked(const Pose& pose, const RigidTransform<double>& placement);
+
+  // A Posed is what PoseChange needs to know of a pose and a placement.
+  struct Posed {
+    Box<double> turned;     // the box, turned by the placement but not moved
+    double cosine, spread;  // of all groups, c or a smaller number and the greatest A; 1 and 0 if nothing deviates
+    double farthest;        // the greatest length of a joint's translation
+  };
+  // Returns it for those of the last call of box, or nothing if that box was infinite or some c is not known to be positive.
+  std::optional<Posed> posed() const;
+  // The anchors of a joint are around the points f of its groups. most_joints is the most joints of any group, and deviates says
+  // whether blends deviate from linear ones.
+  const JointAnchors& anchors() const { return groups_->anchors; }
+  int most_joints() const { return groups_->most_joints; }
+  bool deviates() const { return skinning_ == Skinning::spherical || skinning_ == Skinning::dual_quaternion; }
+
   // Returns a box in the world around everything that apply(placement, skin()) yields, for linear skinning by affine joints. It
   // looks at all joints in double (affine_boxes.hpp). pose must be as check_pose requires; throws
   // ModelError for one of the wrong length.
   Box<double> box(const AffinePose& pose, const RigidTransform<double>& placement) const;
 
   // Makes boxes around the targets of packs, turned by the placement but not moved, in the pose and placement of the last call of
-  // box, whose result must have been finite, by the kernels of that call. They hold the targets once they are grown by lost(). out
+  // box, whose result must have been finite, or of place_checked, by the kernels of that call. They hold the targets once they are grown by lost(). out
   // is by target. If no bound is known for some target, it returns false, and out must not be used. It is not for Skinning::hejl,
   // because these packs do not have its rotation centers.
   bool boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, std::span<FlippedBox> out);
@@ -66,13 +85,16 @@ class MotionBound {
     std::vector<Group> all;  // those of most joints first
     std::vector<MotionBoundPack> packs;
     std::vector<int> others;  // groups that have too many joints for a pack
+    JointAnchors anchors;
     int most_joints = 1;
     bool are_bounded = true;
   };
 
   std::vector<Group> make_groups() const;
   Groups pack(std::vector<Group> groups) const;
-  bool deviates() const;
+  JointAnchors make_anchors(const std::vector<Group>& groups) const;
+  bool run(std::span<const MotionBoundPack> packs, const Pose& pose, const RigidTransform<double>& placement, bool& is_rigid,
+           Target target);
   void add_about_centers(const Group& group, const Pose& pose, const Quaternion<double>& rotation, Box<double>& box) const;
 
   const SkinnedMesh& mesh_;
@@ -84,6 +106,8 @@ class MotionBound {
   std::vector<Lanes<float>> numbers_;  // of the placed joints, as the target's kernels keep them
   Target target_ = best_target();
   std::vector<std::uint32_t> unbounded_;
+  MotionBoundBox bounds_{};
+  bool is_bounded_ = false;
   double lost_of_joints_ = 0;
   std::optional<double> defect_;  // the largest | ||q||^2 - 1 | of the joints, once nodes are bounded
 };

@@ -7,10 +7,11 @@ namespace refitlab::REFITLAB_TARGET {
 namespace {
 
 // Bounds grow with all packs. The fourth rows are those of the joints: minus the largest ||t||^2, and the largest | ||q||^2 - 1
-// |.
+// |. cosine and spread are the least c and the largest A.
 struct Bounds {
   S low[4] = {S(infinity), S(infinity), S(infinity), S(0)};
   S high[4] = {S(-infinity), S(-infinity), S(-infinity), S(0)};
+  S cosine{1}, spread{0};
 };
 
 // Turns all joints by the placement.
@@ -20,15 +21,14 @@ void place(const Joints<few>& joints, const double* pose, const double* rotation
   for (int i = 0; i < 4; ++i) placement.rotation[i] = S(static_cast<float>(rotation[i]));
   for (int first = 0; first < joints.count; first += width) {
     const Transform joint = joints_of_pose(pose, joints.count, first);
-    const S off = abs(squared_norm(joint.rotation) - S(1)), squared = squared_norm(joint.translation);
-    bounds.low[3] = min_of(bounds.low[3], choose(squared < S(1e30f), S(-squared), S(-infinity)));
-    bounds.high[3] = max_of(bounds.high[3], choose(off <= S(1), off, S(1)));
+    bounds.low[3] = min_of(bounds.low[3], S(-squared_reach(joint)));
+    bounds.high[3] = max_of(bounds.high[3], defect(joint));
     joints.put_lanes(first, compose(placement, joint));
   }
 }
 
-// Calls merge(box, is_unbounded) with the bounds of the lanes from first on. The box of an unbounded lane is empty, from infinity
-// to minus infinity. off is the share of A that allows for errors; see error_share of motion_bound_kernel.hpp.
+// Calls merge(box, is_unbounded, c, A) with the bounds of the lanes from first on. The box of an unbounded lane is empty, from
+// infinity to minus infinity. off is the share of A that allows for errors; see error_share of motion_bound_kernel.hpp.
 template <int slots, bool deviates, bool few, class Merge>
 [[gnu::always_inline]] inline void bound_lanes(const MotionBoundPack& pack, int first, const Joints<few>& joints, float off,
                                                const Merge& merge) {
@@ -42,15 +42,15 @@ template <int slots, bool deviates, bool few, class Merge>
     images.add(k, at);
     if constexpr (deviates) rotations.add(k, joint.rotation);
   }
-  S radius = load(pack.radius + first);
+  S radius = load(pack.radius + first), spread(0);
   const auto is_unbounded = rotations.are_far();
   if constexpr (deviates) {
-    const S a = images.spread(load(pack.joint_count + first)) + load(pack.unsolved + first);
-    radius = radius + choose(is_unbounded, S(-infinity), (deviation_share(rotations.cosine()) + S(off)) * a);
+    spread = images.spread(load(pack.joint_count + first)) + load(pack.unsolved + first);
+    radius = radius + choose(is_unbounded, S(-infinity), (deviation_share(rotations.cosine()) + S(off)) * spread);
   }
   Box<S> box = images.box();
   box.grow(radius);
-  merge(box, is_unbounded);
+  merge(box, is_unbounded, rotations.cosine(), spread);
 }
 
 template <bool deviates, bool few>
@@ -58,7 +58,8 @@ void add_all(const Joints<few>& joints, const MotionBoundPack* packs, int pack_c
   for (int p = 0; p < pack_count; ++p) {
     unbounded[p] = 0;
     for (int first = 0; first < motion_bound_lanes && packs[p].slots_from(first) > 0; first += width) {
-      const auto merge = [&](const Box<S>& box, const typename S::mask_type& is_unbounded) {
+      const auto merge = [&](const Box<S>& box, const typename S::mask_type& is_unbounded, const S& cosine, const S& spread) {
+        bounds.cosine = min_of(bounds.cosine, cosine), bounds.spread = max_of(bounds.spread, spread);
         for (int i = 0; i < 3; ++i) {
           bounds.low[i] = min_of(bounds.low[i], box.low[i]);
           bounds.high[i] = max_of(bounds.high[i], box.high[i]);
@@ -75,29 +76,6 @@ void add_all(const Joints<few>& joints, const MotionBoundPack* packs, int pack_c
   }
 }
 
-template <bool least>
-Row<float, 4> further(const Row<float, 4>& a, const Row<float, 4>& b) {
-  return least ? min_of(a, b) : max_of(a, b);
-}
-// Writes the least of each row's lanes, or the greatest.
-template <bool least>
-void fold(const S (&rows)[4], float* out) {
-  Row<float, 4> folded[4];
-  for (int i = 0; i < 4; ++i) {
-    alignas(64) float lanes[width];
-    rows[i].copy_to(lanes, std::experimental::vector_aligned);
-    read_row(lanes, folded[i]);
-    for (int lane = 4; lane < width; lane += 4) {
-      Row<float, 4> next;
-      read_row(lanes + lane, next);
-      folded[i] = further<least>(folded[i], next);
-    }
-  }
-  transpose(folded);
-  for (int i = 1; i < 4; ++i) folded[0] = further<least>(folded[0], folded[i]);
-  write_row(folded[0], out);
-}
-
 template <bool few>
 void bound(const double* pose, const double* rotation, const MotionBoundPack* packs, int pack_count, bool deviates,
            const Joints<few>& joints, MotionBoundBox& out, std::uint32_t* unbounded) {
@@ -107,6 +85,10 @@ void bound(const double* pose, const double* rotation, const MotionBoundPack* pa
   else add_all<false>(joints, packs, pack_count, unbounded, bounds);
   fold<true>(bounds.low, out.low);
   fold<false>(bounds.high, out.high);
+  for (int lane = 0; lane < motion_bound_lanes; lane += width) {
+    bounds.cosine.copy_to(out.cosine + lane, std::experimental::vector_aligned);
+    bounds.spread.copy_to(out.spread + lane, std::experimental::vector_aligned);
+  }
 }
 
 REFITLAB_KERNEL void bound_any(const double* pose, int joint_count, const double* rotation, const MotionBoundPack* packs,

@@ -49,6 +49,9 @@ struct MotionBoundBox {
   float low[4];   // the low x, y, z of all bounded groups, turned by the placement but not moved; then minus the largest
                   // ||t||^2 of the joints' translations, or minus infinity if one is beyond 1e30 or no number
   float high[4];  // the high x, y, z; then the largest | ||q||^2 - 1 | of the quaternions, or 1 if that is greater or no number
+  // For each lane, these are the least c and the largest A of some groups. All lanes together have those of all groups. If a bound
+  // is not known for some group, a cosine is not positive, or no number.
+  alignas(64) float cosine[motion_bound_lanes], spread[motion_bound_lanes];
 };
 
 struct MotionBoundKernels {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// These classes are for the kernels of MotionBound. They hold the numbers of all joints, and the bounds of a pack's lanes.
+// These classes are for the kernels of MotionBound and PoseChange. They hold the numbers of all joints, and the bounds of a pack's lanes.
 #pragma once
 
 #include <cstddef>
@@ -44,6 +44,40 @@ inline Transform joints_of_pose(const double* pose, int count, int first) {
     const std::ptrdiff_t joint = first + lane < count ? first + lane : count - 1;
     read_floats(pose + 8 * joint + i, four);
   });
+}
+
+// Returns ||t||^2 of a joint's translation, or infinity if that is beyond 1e30 or no number.
+inline S squared_reach(const Transform& joint) {
+  const S squared = squared_norm(joint.translation);
+  return choose(squared < S(1e30f), squared, S(infinity));
+}
+// Returns | ||q||^2 - 1 | of a joint's rotation, or 1 if that is greater or no number.
+inline S defect(const Transform& joint) {
+  const S off = abs(squared_norm(joint.rotation) - S(1));
+  return choose(off <= S(1), off, S(1));
+}
+
+template <bool least>
+inline Row<float, 4> further(const Row<float, 4>& a, const Row<float, 4>& b) {
+  return least ? min_of(a, b) : max_of(a, b);
+}
+// Writes the least of each row's lanes, or the greatest.
+template <bool least>
+void fold(const S (&rows)[4], float* out) {
+  Row<float, 4> folded[4];
+  for (int i = 0; i < 4; ++i) {
+    alignas(64) float lanes[width];
+    rows[i].copy_to(lanes, std::experimental::vector_aligned);
+    read_row(lanes, folded[i]);
+    for (int lane = 4; lane < width; lane += 4) {
+      Row<float, 4> next;
+      read_row(lanes + lane, next);
+      folded[i] = further<least>(folded[i], next);
+    }
+  }
+  transpose(folded);
+  for (int i = 1; i < 4; ++i) folded[0] = further<least>(folded[0], folded[i]);
+  write_row(folded[0], out);
 }
 
 // If a register has at most eight numbers, the eight of a joint are side by side, and those of a pack's lanes are transposed. Else

@@ -17,6 +17,7 @@
 #include "lemmas/b6_dual_quaternion_ball.hpp"
 #include "lemmas/b7_motion_bound.hpp"
 #include "lemmas/b8_blend_error.hpp"
+#include "lemmas/b9_pose_change.hpp"
 #include "lemmas/c1_chord_bound.hpp"
 #include "lemmas/c2_channel_motion.hpp"
 #include "lemmas/c3_normalized_motion.hpp"
