@@ -170,6 +170,81 @@ void how_much_larger(Suite& t) {
               return Checked(std::abs(moved - still) < 1e-9 && opposite == turned && reach > 1.8 && reach < 2.1, 4,
                              std::to_string(reach) + " metres from the origin");
             });
+}
+
+void what_joints_carry(Suite& t) {
+  t.example("joints that turn in opposite directions about images that stay raise the vertex between them, within the box", {},
+            [] {
+              SkinnedMesh mesh;
+              mesh.name = "raised";
+              mesh.vertices.assign(3, {0, 0, 0});
+              mesh.triangles = {{0, 1, 2}};
+              mesh.joints = {{"left", -1, {0, 0, 0}}, {"right", 0, {0, 0, 0}}};
+              mesh.influences.assign(3, {{0, 0.5}, {1, 0.5}});
+              const JointSets sets(mesh);
+              MotionBound motion_bound(mesh, sets, Skinning::dual_quaternion);
+              PoseChange change(motion_bound);
+              const Pose still{{identity_quaternion<double>(), {-1, 0, 0}}, {identity_quaternion<double>(), {1, 0, 0}}};
+              const double before = motion_bound.box(still, {}).high[1];
+              change.start(motion_bound, still, {});
+              double raised = 0;
+              bool ok = true;
+              for (const double half : {-0.3, 0.1, 0.2, 0.3}) {  // of the angle, in radians
+                const Pose pose{{{std::cos(half), 0, 0, std::sin(half)}, {-1, 0, 0}},
+                                {{std::cos(half), 0, 0, -std::sin(half)}, {1, 0, 0}}};
+                const auto vertices = vertices_in_world(mesh, sets, pose, Skinning::dual_quaternion, {});
+                raised = std::max(raised, std::abs(vertices[0][1]));
+                const auto box = change.box(pose, {});
+                ok = ok && box && holds(*box, vertices);
+              }
+              return Checked(ok && raised > 2 * before, 4,
+                             std::to_string(raised) + ", and the earlier box reaches " + std::to_string(before));
+            });
+  t.example("points on both sides of a joint's anchor turn about it, within the box", {}, [] {
+    SkinnedMesh mesh;
+    mesh.name = "seesaw";
+    mesh.vertices = {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {-1, 0, 0}, {-1, 0, 0}};
+    mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+    mesh.joints = {{"first", -1, {0, 0, 0}}, {"second", 0, {0, 0, 0}}, {"third", 0, {0, 0, 0}}};
+    mesh.influences.assign(3, {{0, 0.5}, {1, 0.5}});
+    mesh.influences.resize(6, {{0, 0.5}, {2, 0.5}});
+    const JointSets sets(mesh);
+    bool ok = true;
+    for (const Skinning skinning : gen::all_skinnings) {
+      MotionBound motion_bound(mesh, sets, skinning);
+      PoseChange change(motion_bound);
+      motion_bound.box(reference_pose(mesh), {});
+      change.start(motion_bound, reference_pose(mesh), {});
+      for (const double half : {0.01, 0.1, 0.25}) {  // of the angle, in radians
+        // The others stay, so that no image of an anchor moves.
+        Pose turned = reference_pose(mesh);
+        turned[0].rotation = {std::cos(half), 0, 0, std::sin(half)};
+        const auto box = change.box(turned, {});
+        ok = ok && box && holds(*box, vertices_in_world(mesh, sets, turned, skinning, {})) && box->high[1] < 8 * half;
+      }
+    }
+    return Checked(ok, 12);
+  });
+}
+
+void anchors_of_joints(Suite& t) {
+  t.example("an anchor is in the middle of a joint's points, and what is farthest counts, of joints that have any", {}, [] {
+    const JointAnchors anchors =
+        make_joint_anchors({{{1, 0, 0}, {3, 0, 0}}, {}, {{0, -4, 3}}, {{0, 0.1, 0}, {0, 0.2, 0}, {0, 0.3, 0}}});
+    const float* const rows = anchors.rows();
+    const auto is = [&](int joint, double x, double y, double z, double radius) {
+      bool ok = true;
+      for (const auto& [row, number] : {std::pair(0, x), {1, y}, {2, z}, {3, radius}})
+        ok = ok && std::abs(rows[row * anchors.stride + joint] - number) < 1e-6;
+      return ok;
+    };
+    bool ok = is(0, 2, 0, 0, 1) && is(2, 0, -4, 3, 0) && is(3, 0, 0.2, 0, 0.1);
+    // Its points are within the radius of the anchor that float has.
+    ok = ok && double{rows[3 * anchors.stride + 3]} >= 0.3 - double{rows[anchors.stride + 3]};
+    for (int joint = 0; joint < anchors.stride; ++joint)
+      ok = ok && (rows[3 * anchors.stride + joint] < 0) == (joint == 1 || joint > 3);
+    return Checked(ok && anchors.joint_count == 4 && anchors.stride == 32 && anchors.farthest == 5, 4);
+  });
   t.example("a joint without vertices goes where it likes", {}, [] {
     SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
     for (const char* name : {"first", "last"}) mesh.joints.push_back({name, -1, {0, 0, 0}});
@@ -223,10 +298,11 @@ void poses_without_a_box(Suite& t) {
               }
               return Checked(wrong == 0, tried);
             });
-  t.example("nothing is kept of a pose without a bound, or with rotations too far apart for one", {}, [] {
+  t.example("nothing is kept of a pose without a bound, and no box is made from one with rotations too far apart", {}, [] {
     const SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 12, 8, 4, 7});
     const JointSets sets(mesh);
-    Pose apart = reference_pose(mesh), infinitely_far = apart;
+    Pose apart = reference_pose(mesh), infinitely_far = apart, stretched = apart;
+    stretched[1].rotation *= 1.1;
     apart[1].rotation = {0.5, std::sqrt(0.75), 0, 0};
     apart[2].rotation = {0.5, -std::sqrt(0.75), 0, 0};
     infinitely_far[0].translation[0] = infinite;
@@ -240,9 +316,12 @@ void poses_without_a_box(Suite& t) {
         return change.box(reference_pose(mesh), {}).has_value();
       };
       const bool deviates = motion_bound.deviates();
-      ok = ok && keeps(reference_pose(mesh)) && !keeps(infinitely_far) && keeps(apart) == !deviates;
+      ok = ok && keeps(reference_pose(mesh)) && !keeps(infinitely_far) && !keeps(stretched) && keeps(apart) == !deviates;
+      // A bound that has only placed the joints knows no box.
+      motion_bound.box(reference_pose(mesh), {});
+      ok = ok && motion_bound.posed() && motion_bound.place_checked(reference_pose(mesh), {}) && !motion_bound.posed();
     }
-    return Checked(ok, 12);
+    return Checked(ok, 20);
   });
   t.example("a pose that was given up after its first box is not followed by another one at once", {}, [] {
     const SkinnedMesh mesh = gen::make_mesh({gen::MeshKind::tube, 6, 5, 3, 1});
@@ -357,6 +436,8 @@ void frames_without_a_coarse_bound(Suite& t) {
 PROPTEST(pose_change) {
   boxes_hold_the_vertices_of_later_poses(t);
   how_much_larger(t);
+  what_joints_carry(t);
+  anchors_of_joints(t);
   poses_without_a_box(t);
   bodies_that_come_nearer(t);
   frames_without_a_coarse_bound(t);

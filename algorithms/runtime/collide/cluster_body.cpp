@@ -72,8 +72,7 @@ void ClusterBody::begin(const Pose& pose, const RigidTransform<double>& placemen
   is_motion_bound_made_ = false;
   are_joints_placed_ = are_placed;
   if (bound) set_motion_bound(*bound);
-  is_coarse_bound_made_ = coarse_bound.has_value();
-  if (coarse_bound) coarse_bound_ = *coarse_bound;
+  coarse_bound_ = coarse_bound;
   is_affine_ = false;
   clusters_.begin(pose_, placement_, placement_.translation, reference);
   start();
@@ -94,7 +93,7 @@ void ClusterBody::begin(const AffinePose& pose, const RigidTransform<double>& pl
   clusters_.begin(pose, placement, placement.translation, reference);
   placement_ = placement;
   is_affine_ = true;
-  is_coarse_bound_made_ = false;
+  coarse_bound_.reset();
   is_motion_bound_made_ = !is_deformed_;
   if (!is_deformed_) motion_bound_box_ = motion_bound_.box(pose, placement);
   start();
@@ -126,13 +125,14 @@ void ClusterBody::start() {
 void ClusterBody::lose_frame() {
   clusters_.end();
   wide_nodes_made_.begin();
-  is_motion_bound_made_ = is_coarse_bound_made_ = false;
+  is_motion_bound_made_ = false;
+  coarse_bound_.reset();
 }
 
 void ClusterBody::make_motion_bound() {
   const DefaultFloatEnvironment environment;
   clusters_.require_frame();
-  if (is_coarse_bound_made_) give_up_coarse_bound();
+  if (coarse_bound_) give_up_coarse_bound();
   if (!is_deformed_) return set_motion_bound(motion_bound_.box(pose_, placement_));
   motion_bound_box_ = box_of_deformed(0);
   const Point3& to = placement_.translation;

@@ -37,7 +37,7 @@ class ClusterBody {
 
   // Returns a box in the world around the whole body. While it is far from others, that is the one of PoseChange, and else the
   // motion bound.
-  const Box<double>& coarse_bound() { return is_coarse_bound_made_ ? coarse_bound_ : motion_bound(); }
+  const Box<double>& coarse_bound() { return coarse_bound_ ? *coarse_bound_ : motion_bound(); }
   // Returns a box in the world around the whole body, made from the joints alone; see MotionBound. With a deformation, it is
   // around the root's ball, which has all triangles.
   const Box<double>& motion_bound() {
@@ -78,9 +78,9 @@ class ClusterBody {
   // whether motion_bound() would be tighter. Throws what begin does.
   Box<double> coarse_bound_of(const Pose& pose, const RigidTransform<double>& placement, MotionBound& motion_bound,
                               bool& is_coarse);
-  bool is_coarse_bound_made() const { return is_coarse_bound_made_; }
+  bool is_coarse_bound_made() const { return coarse_bound_.has_value(); }
   // Says that the last coarse bound was too large.
-  void give_up_coarse_bound() { pose_change_.give_up(), is_coarse_bound_made_ = false; }
+  void give_up_coarse_bound() { pose_change_.give_up(), coarse_bound_.reset(); }
   // Remembers whether collide_all found the body's motion bound to meet another one's. It then begins the next frame for it at once.
   void set_neighbours(bool has) { has_neighbours_ = has; }
   bool has_neighbours() const { return has_neighbours_; }
@@ -158,10 +158,11 @@ class ClusterBody {
   SkinnedClusters clusters_;
   Pose pose_;
   RigidTransform<double> placement_;
-  Box<double> motion_bound_box_, coarse_bound_;
+  Box<double> motion_bound_box_;
+  std::optional<Box<double>> coarse_bound_;
   JointFloats joints_;
-  bool is_motion_bound_made_ = false, is_coarse_bound_made_ = false, is_affine_ = false, are_joints_placed_ = false,
-       are_floats_filled_ = false, is_rather_skinned_ = false, is_shared_ = false, is_deformed_ = false;
+  bool is_motion_bound_made_ = false, is_affine_ = false, are_joints_placed_ = false, are_floats_filled_ = false,
+       is_rather_skinned_ = false, is_shared_ = false, is_deformed_ = false;
   std::optional<Deformed> deformed_;  // made when a frame first needs it
   FrameStamps wide_nodes_made_;
   std::vector<int> first_block_of_wide_node_;

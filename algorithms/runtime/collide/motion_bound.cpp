@@ -177,7 +177,6 @@ bool MotionBound::place_checked(const Pose& pose, const RigidTransform<double>& 
   return is_known;
 }
 
-// A group that has no bound of its own has no positive cosine, or is among others.
 std::optional<MotionBound::Posed> MotionBound::posed() const {
   const DefaultFloatEnvironment environment;
   if (!is_bounded_ || !groups_->others.empty()) return {};
@@ -185,7 +184,6 @@ std::optional<MotionBound::Posed> MotionBound::posed() const {
             *std::min_element(std::begin(bounds_.cosine), std::end(bounds_.cosine)),
             *std::max_element(std::begin(bounds_.spread), std::end(bounds_.spread)),
             std::sqrt(-static_cast<double>(bounds_.low[3]))};
-  if (!(out.cosine > 0)) return {};
   out.turned.grow(lost());
   return out;
 }

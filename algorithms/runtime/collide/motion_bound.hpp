@@ -45,10 +45,11 @@ class MotionBound {
   // A Posed is what PoseChange needs to know of a pose and a placement.
   struct Posed {
     Box<double> turned;     // the box, turned by the placement but not moved
-    double cosine, spread;  // of all groups, c or a smaller number and the greatest A; 1 and 0 if nothing deviates
+    double cosine, spread;  // of all groups, c or a smaller number and the greatest A
     double farthest;        // the greatest length of a joint's translation
   };
-  // Returns it for those of the last call of box, or nothing if that box was infinite or some c is not known to be positive.
+  // Returns it for those of the last call of box, or nothing if that box was infinite, or if some group has more joints than a pack
+  // takes. If some group is bounded by its rotation centers alone, the cosine is not positive.
   std::optional<Posed> posed() const;
   // The anchors of a joint are around the points f of its groups. most_joints is the most joints of any group, and deviates says
   // whether blends deviate from linear ones.

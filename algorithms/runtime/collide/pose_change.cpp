@@ -54,7 +54,7 @@ std::optional<Box<double>> PoseChange::box(const Pose& pose, const RigidTransfor
   JointChange change;
   pose_change_kernels(target).compare(pose[0].rotation.data(), anchors_->joint_count, anchors_->stride, anchors_->rows(),
                                       kept_.data()->lane.data(), change);
-  if (!(change.squared_farthest < infinite && change.defect <= surely_rigid)) return {};
+  if (!(change.defect <= surely_rigid)) return {};
   double growth = change.moved;
   if (deviates_) {
     const double cosine = cosine_after_change(posed_.cosine, change.turned + lost_of_turn) - lost_of_cosine;
@@ -65,7 +65,7 @@ std::optional<Box<double>> PoseChange::box(const Pose& pose, const RigidTransfor
   growth =
       growth * (1 + lost_of_motion_bound) + least_length +
       lost_of_growth(most_joints_, anchors_->farthest, posed_.farthest, std::sqrt(static_cast<double>(change.squared_farthest)));
-  if (!(growth < infinite)) return {};
+  if (!(growth < infinite)) return {};  // as for translations that are too long, or no numbers
   Box<double> out = posed_.turned;
   out.grow(growth);
   const double turned = distance_of_rotations(placement.rotation, rotation_);
