@@ -41,9 +41,9 @@ void put_float_box(const Box<double>& box, double lost, int i, BoxBlock<float>* 
 ClusterBody::ClusterBody(const ClusterTree& tree, Skinning skinning)
     : tree_(tree),
       way_(tree.way_of(skinning)),
+      pose_change_(way_.motion_bound),
       skinning_(skinning),
       motion_bound_(way_.motion_bound),
-      pose_change_(motion_bound_),
       clusters_(tree, skinning),
       joints_(tree.character().sets),
       wide_nodes_made_(tree.wide_nodes().size()),

@@ -148,13 +148,14 @@ class ClusterBody {
   void cut_box(ChildPlace place, const Box<float>& to);
   void box_skinned(const WideNode& wide_node, BoxBlock<float>* blocks, Box<float>& whole);
 
+  // What a body that is far from others is asked for is side by side.
   const ClusterTree& tree_;
   const WayOfSkinning& way_;
-  const Skinning skinning_;
   bool has_neighbours_ = false;
   Need need_ = Need::bound;
-  MotionBound motion_bound_;
   PoseChange pose_change_;
+  const Skinning skinning_;
+  MotionBound motion_bound_;
   SkinnedClusters clusters_;
   Pose pose_;
   RigidTransform<double> placement_;

@@ -26,10 +26,10 @@ double farthest_from_origin(const Box<double>& box) {
 }  // namespace
 
 PoseChange::PoseChange(const MotionBound& bound)
-    : anchors_(&bound.anchors()),
-      kept_(rows_of_kept_pose * anchors_->stride / Lanes<float>::count),
+    : deviates_(bound.deviates()),
       most_joints_(bound.most_joints()),
-      deviates_(bound.deviates()) {}
+      anchors_(&bound.anchors()),
+      kept_(rows_of_kept_pose * anchors_->stride / Lanes<float>::count) {}
 
 void PoseChange::start(const MotionBound& bound, const Pose& pose, const RigidTransform<double>& placement) {
   const DefaultFloatEnvironment environment;
@@ -60,7 +60,7 @@ std::optional<Box<double>> PoseChange::box(const Pose& pose, const RigidTransfor
     const double cosine = cosine_after_change(posed_.cosine, change.turned + lost_of_turn) - lost_of_cosine;
     if (!(cosine > 0)) return {};
     const double share = std::sqrt(squared_deviation_share(cosine)) + error_share(1e-6);
-    growth = growth_by_change(growth, share, spread_after_change(posed_.spread, most_joints_, growth));
+    growth = growth_by_change(growth, share, spread_after_change<double>(posed_.spread, most_joints_, growth));
   }
   growth =
       growth * (1 + lost_of_motion_bound) + least_length +

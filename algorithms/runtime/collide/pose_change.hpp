@@ -34,13 +34,12 @@ class PoseChange {
  private:
   static constexpr int rests_after_failure = 8;
 
+  bool is_started_ = false, deviates_;
+  int boxes_ = 0, rests_ = 0, most_joints_;
   const JointAnchors* anchors_;
   std::vector<Lanes<float>> kept_;
-  MotionBound::Posed posed_{};
   Quaternion<double> rotation_{};  // of the placement
-  double most_joints_;
-  bool deviates_, is_started_ = false;
-  int boxes_ = 0, rests_ = 0;
+  MotionBound::Posed posed_{};
 };
 
 }  // namespace refitlab
