@@ -174,7 +174,7 @@ Box<double> ClusterBody::coarse_bound_of(const Pose& pose, const RigidTransform<
   const auto coarse = pose_change_.box(pose, placement);
   is_coarse = coarse.has_value();
   if (coarse) return *coarse;
-  const Box<double> box = motion_bound.checked_box(pose, placement);
+  Box<double> box = motion_bound.checked_box(pose, placement);
   pose_change_.start(motion_bound, pose, placement);
   return box;
 }
