@@ -127,8 +127,10 @@ void b9(Plane &p) {
   }
   const double share = std::sqrt(squared_deviation_share(bounds.cosine_after()));
   const double length = growth_by_change(bounds.moved, share, bounds.spread_after(old.size()));
-  for (const auto &c : before) p.circle("ball", flat(c), length), p.dot("dot", flat(c), "C f");
-  for (const auto &c : after) p.dot("dot_in", flat(c), "C' f");
+  // The images are close to each other, so each pose has its name at one of them.
+  for (const auto &c : before) p.circle("ball", flat(c), length);
+  p.dot("dot", flat(before[0])), p.dot("dot", flat(before[1]), "C f");
+  p.dot("dot_in", flat(after[0]), "C' f"), p.dot("dot_in", flat(after[1]));
   p.path("line", {flat(before[0]), flat(before[1])});
   p.path("curve", curve_of(dual_blend(now, point)));
 }

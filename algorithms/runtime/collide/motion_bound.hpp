@@ -63,9 +63,9 @@ class MotionBound {
   Box<double> box(const AffinePose& pose, const RigidTransform<double>& placement) const;
 
   // Makes boxes around the targets of packs, turned by the placement but not moved, in the pose and placement of the last call of
-  // box, whose result must have been finite, or of place_checked, by the kernels of that call. They hold the targets once they are grown by lost(). out
-  // is by target. If no bound is known for some target, it returns false, and out must not be used. It is not for Skinning::hejl,
-  // because these packs do not have its rotation centers.
+  // box, whose result must have been finite, or of place_checked, by the kernels of that call. They hold the targets once they are
+  // grown by lost(). out is by target. If no bound is known for some target, it returns false, and out must not be used. It is not
+  // for Skinning::hejl, because these packs do not have its rotation centers.
   bool boxes(std::span<const MotionBoundPiecePack> packs, const Pose& pose, std::span<FlippedBox> out);
   // Returns what rounding loses of each coordinate of these boxes, in that pose.
   double lost() const { return least_length + lost_of_joints_; }
