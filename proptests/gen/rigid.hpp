@@ -13,4 +13,11 @@ rc::Gen<RationalTransform> rigid_transform();
 // Draws between low and high transforms: a joint-set in one pose. A third of the lists repeat one.
 rc::Gen<std::vector<RationalTransform>> rigid_transforms(int low, int high);
 
+// Returns the least dot product of two of their quaternions, or 1 if there are no two.
+Rational least_cosine(const std::vector<RationalTransform>& transforms);
+// Returns the rotation of half the stereographic parameter, by the shorter way.
+RationalQuaternion drawn_in(RationalQuaternion rotation);
+// Draws the rotations in until no cosine is below least, which is less than 1.
+void draw_together(std::vector<RationalTransform>& transforms, const Rational& least);
+
 }  // namespace proptests::gen

@@ -18,21 +18,6 @@ using gen::RationalVec;
 using Span = std::span<const Rational>;
 using Transforms = std::vector<RigidTransform<Rational>>;
 
-Rational least_cosine(const Transforms& list) {
-  Rational least(1);
-  for (const auto& a : list)
-    for (const auto& b : list) least = std::min(least, dot(a.rotation, b.rotation));
-  return least;
-}
-
-// Returns the rotation of half the stereographic parameter, by the shorter way.
-RationalQuaternion drawn_in(RationalQuaternion q) {
-  if (q[0] < 0) q = -q;
-  const RationalVec<3> v = imaginary(q) / (Rational(2) * (Rational(1) + q[0]));
-  const Rational s = squared_norm(v), scale = Rational(1) / (Rational(1) + s);
-  return {(Rational(1) - s) * scale, Rational(2) * v[0] * scale, Rational(2) * v[1] * scale, Rational(2) * v[2] * scale};
-}
-
 // Returns a solution of the normal equations, by elimination. What they leave free is 0.
 RationalVec<3> least_squares_center(const Transforms& list) {
   std::array<std::array<Rational, 4>, 3> rows{};
@@ -73,9 +58,8 @@ struct ReachCase {
   explicit ReachCase(int most) {
     transforms = *gen::rigid_transforms(1, most);
     const Rational least = *rc::gen::element(Rational(0), Rational(3, 5));
-    while (least_cosine(transforms) < least)
-      for (auto& t : transforms) t.rotation = drawn_in(t.rotation);
-    cosine = least_cosine(transforms);
+    gen::draw_together(transforms, least);
+    cosine = gen::least_cosine(transforms);
     if (*rc::gen::inRange(0, 5) == 0) cosine = cosine / Rational(2);
     weights = *gen::convex_weights(static_cast<int>(transforms.size()));
   }
@@ -211,7 +195,7 @@ void joints_spread_within_the_bound(Suite& t) {
                                   c.transforms.begin() + *rc::gen::inRange<int>(1, static_cast<int>(c.transforms.size()) + 1));
             RC_ASSERT(squared_spread(images_of<Rational>(part, c.point)) <=
                       squared_spread(images_of<Rational>(c.transforms, c.point)));
-            RC_ASSERT(least_cosine(part) >= least_cosine(c.transforms));
+            RC_ASSERT(gen::least_cosine(part) >= gen::least_cosine(c.transforms));
           });
 }
 
@@ -249,9 +233,8 @@ void hypotheses_need_each_part(Suite& t) {
       t, "each quaternion, each pair and each bound of the hypotheses is looked at by itself", {.parts = 15, .share = 0.02},
       [] {
         auto transforms = *rc::gen::container<Transforms>(3, gen::rigid_transform());
-        while (least_cosine(transforms) < Rational(1, 2))
-          for (auto& t : transforms) t.rotation = drawn_in(t.rotation);
-        Rational cosine = least_cosine(transforms);
+        gen::draw_together(transforms, Rational(1, 2));
+        Rational cosine = gen::least_cosine(transforms);
         auto weights = *gen::convex_weights(3);
         const std::size_t k = gen::any_place(3), l = (k + 1 + gen::any_place(2)) % 3;
         std::string part;
@@ -294,7 +277,7 @@ void hypotheses_need_each_part(Suite& t) {
       1800);
   t.holds("the hypotheses hold up to their edges", {.number_type = "rational", .cases = 300}, [] {
     const ReachCase c(4);
-    const Rational least = least_cosine(c.transforms), excess = *gen::excess();
+    const Rational least = gen::least_cosine(c.transforms), excess = *gen::excess();
     RC_ASSERT(are_within(c.transforms, least) == Verdict::holds && are_within(c.transforms, Rational(0)) == Verdict::holds);
     if (c.transforms.size() > 1) RC_ASSERT(are_within(c.transforms, Rational(least + excess)) == Verdict::fails);
     RC_ASSERT(are_within(c.transforms, Rational(-excess)) == Verdict::fails);

@@ -24,25 +24,10 @@ using Bounds = PoseChangeBounds<Rational>;
 
 const RationalQuaternion no_turn(1, 0, 0, 0);
 
-Rational least_cosine(const Transforms& list) {
-  Rational least(1);
-  for (std::size_t k = 0; k < list.size(); ++k)
-    for (std::size_t l = 0; l < k; ++l) least = std::min(least, dot(list[k].rotation, list[l].rotation));
-  return least;
-}
-
-// Returns the rotation of half the stereographic parameter, by the shorter way.
-RationalQuaternion drawn_in(RationalQuaternion q) {
-  if (q[0] < 0) q = -q;
-  const RationalVec<3> v = imaginary(q) / (Rational(2) * (Rational(1) + q[0]));
-  const Rational s = squared_norm(v), scale = Rational(1) / (Rational(1) + s);
-  return {(Rational(1) - s) * scale, Rational(2) * v[0] * scale, Rational(2) * v[1] * scale, Rational(2) * v[2] * scale};
-}
-
 // Draws a rotation whose quaternion is no farther than the root of room from that of no turn.
 RationalQuaternion small_turn(const Rational& room) {
   RationalQuaternion q = *gen::unit_quaternion();
-  while (squared_distance<Rational, 4>(q, no_turn) > room) q = drawn_in(q);
+  while (squared_distance<Rational, 4>(q, no_turn) > room) q = gen::drawn_in(q);
   return q;
 }
 
@@ -58,7 +43,8 @@ Bounds least_bounds(const Transforms& old, const Transforms& now, const Rational
     turn = std::max(turn, squared_distance<Rational, 4>(now[k].rotation, old[k].rotation));
     moved = std::max(moved, squared_distance<Rational, 3>(apply(now[k], point), apply(old[k], point)));
   }
-  return {least_cosine(old), upper_root(turn), upper_root(moved), upper_root(squared_spread(images_of<Rational>(old, point)))};
+  return {gen::least_cosine(old), upper_root(turn), upper_root(moved),
+          upper_root(squared_spread(images_of<Rational>(old, point)))};
 }
 
 // Joints in two poses. Some do not turn, some leave the image of the point where it is, and most do neither.
@@ -69,9 +55,8 @@ struct PoseCase {
   Bounds bounds;
   PoseCase(int least, int most) {
     old = *gen::rigid_transforms(least, most);
-    while (least_cosine(old) < Rational(1, 2))
-      for (auto& t : old) t.rotation = drawn_in(t.rotation);
-    const Rational cosine = least_cosine(old),
+    gen::draw_together(old, Rational(1, 2));
+    const Rational cosine = gen::least_cosine(old),
                    size = *rc::gen::element(Rational(1), Rational(1), Rational(1, 10), Rational(1, 10), Rational(0));
     const bool turns = gen::any_place(8) != 0;
     for (const auto& t : old) {
