@@ -23,6 +23,7 @@
 #include "proptests/gen/wide_character.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
+#include "proptests/oracles/placed_vertices.hpp"
 
 namespace proptests::suite_affine_boxes {
 namespace {
@@ -35,17 +36,11 @@ JointKind drawn_kind() {
                            JointKind::flat, JointKind::extreme, JointKind::mixed);
 }
 
-RigidTransform<double> random_placement(std::mt19937& random, double size) {
-  std::normal_distribution<double> normal;
-  const double x = normal(random), y = normal(random), z = normal(random);
-  RigidTransform<double> out{gen::random_rotation(random, 1), Point3(x, y, z) * size};
+RigidTransform<double> stretched_placement(std::mt19937& random, double far) {
+  RigidTransform<double> out = gen::random_placement(random, far);
   // check_placement accepts a quaternion of this length.
   if (random() % 3 == 0) out.rotation *= 1 + 4.9e-7;
   return out;
-}
-
-bool is_inside(const Box<double>& box, const Point3& p) {
-  return (box.low.array() <= p.array()).all() && (p.array() <= box.high.array()).all();
 }
 
 // Holds a wide mesh with affine joints, skinned in double.
@@ -140,10 +135,10 @@ void check_wide_batch() {
 void check_motion_bound() {
   const Affine a(-1074, 130);
   std::mt19937 random(a.plan.seed + 7);
-  const RigidTransform<double> at = random_placement(random, std::ldexp(1, a.plan.exponent));
+  const RigidTransform<double> at = stretched_placement(random, std::ldexp(1, a.plan.exponent));
   const MotionBound bound(a.mesh, a.sets, Skinning::linear);
   const Box<double> box = bound.box(a.pose, at);
-  for (const Point3& v : a.skinned) RC_ASSERT(is_inside(box, apply(at, v)));
+  for (const Point3& v : a.skinned) RC_ASSERT(oracle::holds(box, apply(at, v)));
 }
 
 // Checks that a box is no larger than those around the images of the ball and of the box, by more than rounding.
@@ -183,7 +178,7 @@ void check_image() {
   for (int k = 0; k < 20; ++k) {
     Point3 p;
     for (int i = 0; i < 3; ++i) p[i] = box.low[i] + (k % 2 ? unit(random) : std::round(unit(random))) * box.edges()[i];
-    if ((p - ball.center).norm() <= ball.radius) RC_ASSERT(is_inside(image, apply(map, p)));
+    if ((p - ball.center).norm() <= ball.radius) RC_ASSERT(oracle::holds(image, apply(map, p)));
   }
 }
 
@@ -198,7 +193,7 @@ bool has(const Box<float>& box, const Point3& p) {
 void assert_held(ClusterBody& body, const std::vector<Point3>& skinned, bool is_of_mesh) {
   const ClusterTree& tree = body.tree();
   if (is_of_mesh)
-    for (const Point3& v : skinned) RC_ASSERT(is_inside(body.motion_bound(), v));
+    for (const Point3& v : skinned) RC_ASSERT(oracle::holds(body.motion_bound(), v));
   for (int f = 0; f < static_cast<int>(tree.wide_nodes().size()); ++f) {
     const Box<float>& box = body.wide_node_box(f);
     for (int k = 0; k < tree.wide_nodes()[static_cast<std::size_t>(f)].child_count; ++k) {
@@ -208,7 +203,7 @@ void assert_held(ClusterBody& body, const std::vector<Point3>& skinned, bool is_
       for (int t = 0; t < cluster.triangle_count; ++t)
         for (const int v : tree.character().mesh.triangles[static_cast<std::size_t>(tree.triangles(child.cluster)[t])])
           RC_ASSERT(has(box, skinned[static_cast<std::size_t>(v)] - body.clusters().origin()) &&
-                    is_inside(body.motion_bound(), skinned[static_cast<std::size_t>(v)]));
+                    oracle::holds(body.motion_bound(), skinned[static_cast<std::size_t>(v)]));
     }
   }
 }
@@ -253,7 +248,7 @@ void check_clusters() {
   for (int i = 0; i < 2; ++i) {
     const AffinePose pose = gen::random_affine_pose(mesh, kind, random);
     const auto [rigid, scales] = split(mesh, pose);
-    const RigidTransform<double> at = random_placement(random, 0.3);
+    const RigidTransform<double> at = stretched_placement(random, 0.3);
     const std::vector<double> weights = gen::random_weights(mesh, random);
     const Deformation deformation{weights, skinning == Skinning::linear ? AffinePose() : scales};
     if (is_made_anew) characters.push_back(deformed_character(c, deformation));
@@ -352,7 +347,7 @@ void check_joints_that_cancel() {
     pose[0].columns[static_cast<std::size_t>(i)] += away, pose[1].columns[static_cast<std::size_t>(i)] -= away;
   }
   RigidTransform<double> at;
-  if (is_turned) at = random_placement(random, 1);
+  if (is_turned) at = stretched_placement(random, 1);
   const ClusterTree tree(c);
   ClusterBody body(tree, Skinning::linear);
   body.begin(pose, at);
@@ -375,7 +370,7 @@ void check_many_joints() {
   const AffinePose pose(static_cast<std::size_t>(joints), map);
   const Box<double> box = MotionBound(mesh, sets, Skinning::linear).box(pose, {});
   for (const Point3& v : skin(mesh, sets, make_skinning_palette(mesh, sets, pose), Skinning::linear))
-    RC_ASSERT(is_inside(box, v));
+    RC_ASSERT(oracle::holds(box, v));
 }
 
 // Checks coordinates near the end of float's range and beyond it.

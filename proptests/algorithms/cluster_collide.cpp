@@ -18,6 +18,7 @@
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/all_pairs.hpp"
 #include "proptests/oracles/placed_box.hpp"
+#include "proptests/oracles/placed_vertices.hpp"
 
 namespace proptests::suite_cluster_collide {
 namespace {
@@ -45,12 +46,6 @@ long meeting_boxes(const oracle::Posed& a, const oracle::Posed& b, Skinning skin
   for (const auto& p : first)
     for (const auto& q : second) count += (p[0].array() <= q[1].array()).all() && (q[0].array() <= p[1].array()).all();
   return count;
-}
-
-bool holds(const Box<double>& box, const Point3& p) {
-  for (int i = 0; i < 3; ++i)
-    if (!(box.low[i] <= p[i] && p[i] <= box.high[i])) return false;
-  return true;
 }
 
 int triangles_below(const ClusterTree& tree, const WideNodeChild& child) {
@@ -298,8 +293,9 @@ void a_needle_touches_where_a_bound_is_attained(Suite& t) {
         RC_ASSERT(sorted(collide(body, other, Query::full, counts)) == expected);
         RC_ASSERT(collide(other, body, Query::yes_no, counts).size() == 1u);
         for (const Point3& p : points)
-          RC_ASSERT(holds(body.motion_bound(), p) && holds(oracle::in_world(body, body.wide_node_box(0)), p));
-        RC_ASSERT(holds(other.motion_bound(), tip) && holds(oracle::in_world(other, other.wide_node_box(0)), tip));
+          RC_ASSERT(oracle::holds(body.motion_bound(), p) && oracle::holds(oracle::in_world(body, body.wide_node_box(0)), p));
+        RC_ASSERT(oracle::holds(other.motion_bound(), tip) &&
+                  oracle::holds(oracle::in_world(other, other.wide_node_box(0)), tip));
       });
 }
 

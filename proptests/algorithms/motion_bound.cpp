@@ -4,7 +4,6 @@
 #include <array>
 #include <random>
 
-#include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "lemmas/exact/exact.hpp"
 #include "proptests/gen/accepted.hpp"
@@ -12,6 +11,7 @@
 #include "proptests/gen/refuses.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness/harness.hpp"
+#include "proptests/oracles/placed_vertices.hpp"
 
 namespace proptests::suite_motion_bound {
 namespace {
@@ -21,8 +21,7 @@ using namespace refitlab;
 Box<double> box_of_vertices(const SkinnedMesh& model, const JointSets& sets, const Pose& pose, Skinning skinning,
                             const RigidTransform<double>& placement) {
   auto box = Box<double>::empty();
-  for (const Point3& p : skin(model, sets, make_skinning_palette(model, sets, pose, skinning), skinning))
-    box.merge(apply(placement, p));
+  for (const Point3& p : oracle::placed_vertices(model, sets, pose, skinning, placement)) box.merge(p);
   return box;
 }
 
@@ -37,12 +36,6 @@ bool is_everything(const Box<double>& box) {
   for (int i = 0; i < 3; ++i)
     if (box.low[i] != -infinite || box.high[i] != infinite) return false;
   return true;
-}
-
-RigidTransform<double> random_placement(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  const double far = random() % 4 == 0 ? 1e6 : 2;
-  return {gen::random_rotation(random, 1), Point3(normal(random), normal(random), normal(random)) * far};
 }
 
 // Puts the origins of some joints elsewhere, so that they are far from the vertices, each in another direction.
@@ -70,7 +63,7 @@ void boxes_hold_their_vertices(Suite& t) {
                 // All joints are turned together, so that relative rotations stay small.
                 if (frame == 2)
                   for (auto& joint : pose) joint = compose(RigidTransform<double>{{0, 0.6, 0, 0.8}, {3, 4, 5}}, joint);
-                const auto placement = random_placement(random);
+                const auto placement = gen::near_or_far_placement(random);
                 const Box<double> box = motion_bound.box(pose, placement),
                                   of_vertices = box_of_vertices(model, sets, pose, skinning, placement);
                 for (const Target target : available_targets())
@@ -95,7 +88,7 @@ void boxes_hold_their_vertices(Suite& t) {
               joint.translation = pivot - rotate(joint.rotation, pivot);
             }
             for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
-              const RigidTransform<double> placement = random_placement(random);
+              const RigidTransform<double> placement = gen::near_or_far_placement(random);
               RC_ASSERT(encloses(MotionBound(model, sets, skinning).box(pose, placement),
                                  box_of_vertices(model, sets, pose, skinning, placement)));
             }

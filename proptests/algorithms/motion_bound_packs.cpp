@@ -7,7 +7,6 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/collide/cluster_body.hpp"
-#include "algorithms/runtime/skinning/skin.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/animated_character.hpp"
 #include "lemmas/b7_motion_bound.hpp"
@@ -16,32 +15,16 @@
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness/harness.hpp"
 #include "proptests/oracles/placed_box.hpp"
+#include "proptests/oracles/placed_vertices.hpp"
 
 namespace proptests::suite_motion_bound_packs {
 namespace {
 
 using namespace refitlab;
 
-RigidTransform<double> random_placement(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  return {gen::random_rotation(random, 1), Point3(normal(random), normal(random), normal(random))};
-}
-
-std::vector<Point3> placed_vertices(const Character& c, const Pose& pose, const RigidTransform<double>& placement,
-                                    Skinning skinning) {
-  auto out = skin(c.mesh, c.sets, make_skinning_palette(c.mesh, c.sets, pose, skinning), skinning);
-  for (Point3& p : out) p = apply(placement, p);
-  return out;
-}
-
-bool holds(const Box<double>& box, const Point3& p) {
-  for (int i = 0; i < 3; ++i)
-    if (!(box.low[i] <= p[i] && p[i] <= box.high[i])) return false;
-  return true;
-}
 bool holds(const Box<double>& box, const std::vector<Point3>& points, std::span<const int> vertices) {
   for (const int v : vertices)
-    if (!holds(box, points[v])) return false;
+    if (!oracle::holds(box, points[v])) return false;
   return true;
 }
 
@@ -99,8 +82,8 @@ void boxes_of_nodes_hold_their_vertices(Suite& t) {
               for (int frame = 0; frame < 3; ++frame) {
                 Pose pose = gen::random_pose(c.mesh, random, spread);
                 if (frame == 1) gen::spoil_lengths(pose, random);
-                const auto placement = random_placement(random);
-                const auto points = placed_vertices(c, pose, placement, skinning);
+                const auto placement = gen::random_placement(random);
+                const auto points = oracle::placed_vertices(c.mesh, c.sets, pose, skinning, placement);
                 for (const Target target : available_targets()) {
                   const bool is_bounded = nodes.bound(motion_bound, pose, placement, target);
                   if (skinning == Skinning::linear) RC_ASSERT(is_bounded);
@@ -126,7 +109,7 @@ void boxes_of_nodes_hold_their_vertices(Suite& t) {
         const int joints = static_cast<int>(scene.mesh.joints.size());
         for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
           MotionBound motion_bound(c.mesh, c.sets, skinning);
-          const auto points = placed_vertices(c, scene.pose, scene.placement, skinning);
+          const auto points = oracle::placed_vertices(c.mesh, c.sets, scene.pose, skinning, scene.placement);
           for (const Target target : available_targets()) {
             RC_LOG() << scene.what;
             RC_ASSERT(nodes.bound(motion_bound, scene.pose, scene.placement, target));
@@ -196,11 +179,11 @@ void turning_joints_and_clusters_of_bodies(Suite& t) {
             for (auto& joint : pose) joint = compose(all, joint);  // relative rotations stay small
             if (*rc::gen::arbitrary<bool>()) gen::spoil_lengths(pose, random);
             for (const Skinning skinning : {Skinning::spherical, Skinning::dual_quaternion}) {
-              const auto placement = random_placement(random);
+              const auto placement = gen::random_placement(random);
               MotionBound motion_bound(c.mesh, c.sets, skinning);
               if (!nodes.bound(motion_bound, pose, placement)) continue;
               RC_TAG("bounded");
-              const auto points = placed_vertices(c, pose, placement, skinning);
+              const auto points = oracle::placed_vertices(c.mesh, c.sets, pose, skinning, placement);
               for (std::size_t n = 0; n < nodes.boxes.size(); ++n) RC_ASSERT(holds(nodes.boxes[n], points, c.vertices[n]));
               ClusterBody body(tree, skinning);
               body.begin(pose, placement);
@@ -218,7 +201,7 @@ void turning_joints_and_clusters_of_bodies(Suite& t) {
               ClusterBody body(tree, skinning);
               for (int frame = 0; frame < 3; ++frame) {
                 const Pose pose = gen::random_pose(c.mesh, random, spread);
-                const auto placement = random_placement(random);
+                const auto placement = gen::random_placement(random);
                 body.begin(pose, placement);
                 // A refusal leaves the frame as it is.
                 if (frame == 1) {
@@ -226,7 +209,7 @@ void turning_joints_and_clusters_of_bodies(Suite& t) {
                   bad.back().rotation *= 2;
                   RC_ASSERT_THROWS_AS(body.begin(bad, placement), ModelError);
                 }
-                const auto points = placed_vertices(c, pose, placement, skinning);
+                const auto points = oracle::placed_vertices(c.mesh, c.sets, pose, skinning, placement);
                 RC_ASSERT(are_clusters_held(body, points));
               }
             }
@@ -258,7 +241,7 @@ void rotations_off_unit_length(Suite& t) {
           Pose pose{about, compose(about, swing)};
           if (who != 2) pose[0].rotation *= 1 + off;
           if (who != 1) pose[1].rotation *= 1 + off;
-          const auto points = placed_vertices(c, pose, {}, Skinning::spherical);
+          const auto points = oracle::placed_vertices(c.mesh, c.sets, pose, Skinning::spherical);
           farthest = std::max(farthest, std::abs(points[0][0]));
           motion_bound.box(pose, {});
           ok = ok && nodes.bound_again(motion_bound, pose, Point3::Zero()) && holds(nodes.boxes[0], points, c.vertices[0]) &&
@@ -285,7 +268,7 @@ void rotations_off_unit_length(Suite& t) {
           for (int turn = 0; turn < 20; ++turn) {
             Pose pose{{gen::random_rotation(random, 1), {0, 0, 0}}};
             pose[0].rotation *= 1 + off;
-            const auto points = placed_vertices(c, pose, {}, skinning);
+            const auto points = oracle::placed_vertices(c.mesh, c.sets, pose, skinning);
             const Box<double> box = motion_bound.box(pose, {});
             ok = ok && holds(box, points, c.vertices[0]) && nodes.bound_again(motion_bound, pose, Point3::Zero()) &&
                  holds(nodes.boxes[0], points, c.vertices[0]);
@@ -311,10 +294,10 @@ void tiny_models_and_tight_boxes(Suite& t) {
     for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
       Pose pose = gen::random_pose(c.mesh, random, 0.5);
       for (auto& joint : pose) joint.translation *= scale;
-      auto placement = random_placement(random);
+      auto placement = gen::random_placement(random);
       placement.translation *= scale;
       MotionBound motion_bound(c.mesh, c.sets, skinning);
-      const auto points = placed_vertices(c, pose, placement, skinning);
+      const auto points = oracle::placed_vertices(c.mesh, c.sets, pose, skinning, placement);
       const bool is_bounded = nodes.bound(motion_bound, pose, placement);
       if (skinning == Skinning::linear) RC_ASSERT(is_bounded);
       for (std::size_t n = 0; is_bounded && n < nodes.boxes.size(); ++n) RC_ASSERT(holds(nodes.boxes[n], points, c.vertices[n]));
@@ -333,7 +316,7 @@ void tiny_models_and_tight_boxes(Suite& t) {
       double exact = 0, bounded = 0;
       for (int i = 0; i < 10; ++i) {
         const Pose pose = man.clips[0].sample(i / 10.0 * man.clips[0].duration);
-        const auto points = placed_vertices(man, pose, {}, skinning);
+        const auto points = oracle::placed_vertices(man.mesh, man.sets, pose, skinning);
         ok = ok && nodes.bound(motion_bound, pose, {});
         for (int k = 0; k < count; ++k) {
           const auto vertices = tree.vertices().vertices(tree.child(0, k).cluster);

@@ -12,6 +12,17 @@ Quaternion<double> random_rotation(std::mt19937& random, double spread) {
   return q;
 }
 
+RigidTransform<double> random_placement(std::mt19937& random, double far) {
+  std::normal_distribution<double> normal;
+  const double x = normal(random), y = normal(random), z = normal(random);
+  return {random_rotation(random, 1), Point3(x, y, z) * far};
+}
+
+RigidTransform<double> near_or_far_placement(std::mt19937& random) {
+  const double far = random() % 4 == 0 ? 1e6 : 2;
+  return random_placement(random, far);
+}
+
 Pose random_pose(const SkinnedMesh& model, std::mt19937& random, double spread) {
   std::normal_distribution<double> normal;
   Pose pose = reference_pose(model);
