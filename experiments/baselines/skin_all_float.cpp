@@ -32,8 +32,7 @@ class SkinAllFloat : public Detector {
   std::vector<TrianglePair> query(Query query) override {
     ClusterPairs pairs(first_, second_, query, counts_, scratch_);
     pairs.add_all();
-    if (query == Query::yes_no && pairs.found().size() > 1) pairs.found().resize(1);
-    return std::move(pairs.found());
+    return pairs.take_found();
   }
 
   DetectorCounts counts() const override {

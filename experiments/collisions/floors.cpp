@@ -35,10 +35,8 @@ class Floor : public Detector {
       if (clusters.is_done()) break;
     }
     if (!clusters.is_done()) clusters.decide();
-    auto found = std::move(clusters.found());
-    if (query == Query::yes_no && found.size() > 1) found.resize(1);
     skinned_ += first_.vertices_skinned() + second_.vertices_skinned();
-    return found;
+    return clusters.take_found();
   }
 
   DetectorCounts counts() const override {

@@ -58,8 +58,7 @@ std::vector<Contact> SkinnedCrowd::frame(std::span<const Pose> poses, std::span<
     QueryCounts uncounted;
     ClusterPairs of_clusters(first.clusters, second.clusters, query, uncounted, first.scratch);
     of_clusters.add_all();
-    contacts[i] = {a, b, std::move(of_clusters.found())};
-    if (query == Query::yes_no && contacts[i].pairs.size() > 1) contacts[i].pairs.resize(1);
+    contacts[i] = {a, b, of_clusters.take_found()};
   });
   std::erase_if(contacts, [](const Contact& contact) { return contact.pairs.empty(); });
   return contacts;

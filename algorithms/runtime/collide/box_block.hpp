@@ -2,6 +2,7 @@
 // A BoxBlock has eight boxes side by side, in the layout in which packs compare them with one box.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -10,9 +11,11 @@
 
 namespace refitlab {
 
+inline constexpr int boxes_of_block = 8;
+
 template <class S>
 struct alignas(64) BoxBlock {
-  S side[6][8];  // low x, y, z, high x, y, z, by lane
+  S side[6][boxes_of_block];  // low x, y, z, high x, y, z, by lane
 
   template <class Point>
   void put(int lane, const Box<S, Point>& box) {
@@ -23,19 +26,17 @@ struct alignas(64) BoxBlock {
   }
 };
 
-inline constexpr int boxes_of_block = 8;
-
 // Returns how many blocks so many boxes take.
 inline int blocks_of(int boxes) { return (boxes + boxes_of_block - 1) / boxes_of_block; }
 
 // put_box writes box i of the boxes in blocks, and get_box reads it.
 template <class S>
 void put_box(BoxBlock<S>* blocks, int i, const Box<S>& box) {
-  blocks[i / 8].put(i % 8, box);
+  blocks[i / boxes_of_block].put(i % boxes_of_block, box);
 }
 template <class S>
 Box<S> get_box(const BoxBlock<S>* blocks, int i) {
-  return blocks[i / 8].get(i % 8);
+  return blocks[i / boxes_of_block].get(i % boxes_of_block);
 }
 
 // Says which boxes of a block are not apart from a box. The result has a byte for each lane, the first lowest, with the
@@ -43,12 +44,12 @@ Box<S> get_box(const BoxBlock<S>* blocks, int i) {
 template <class S>
 [[gnu::always_inline]] inline std::uint64_t meeting(const BoxBlock<S>& block, const Box<S>& box) {
   using P = Pack<S>;
-  constexpr int width = P::size() < 8 ? static_cast<int>(P::size()) : 8;
+  constexpr int width = std::min(static_cast<int>(P::size()), boxes_of_block);
   using Lanes = Pack<S, width>;
   Box<Lanes> all;
   for (int i = 0; i < 3; ++i) all.low[i] = Lanes(box.low[i]), all.high[i] = Lanes(box.high[i]);
-  alignas(64) bool meets[8];
-  for (int first = 0; first < 8; first += width) {
+  alignas(64) bool meets[boxes_of_block];
+  for (int first = 0; first < boxes_of_block; first += width) {
     Box<Lanes> own;
     for (int i = 0; i < 3; ++i) {
       own.low[i] = Lanes(block.side[i] + first, std::experimental::vector_aligned);
@@ -59,16 +60,19 @@ template <class S>
   return std::bit_cast<std::uint64_t>(meets);
 }
 
-// Returns the bytes of the first count lanes, of at most 8.
-inline std::uint64_t first_bytes(std::uint64_t lanes, int count) { return count < 8 ? lanes & ((1ull << 8 * count) - 1) : lanes; }
+// Returns the bytes of the first count lanes, of at most boxes_of_block.
+inline std::uint64_t first_bytes(std::uint64_t lanes, int count) {
+  return count < boxes_of_block ? lanes & ((1ull << 8 * count) - 1) : lanes;
+}
 
 // Writes the positions of the boxes that are not apart from box, among the first count boxes in blocks, in increasing order.
 // Returns their number. A NaN is not apart from anything.
 template <class S>
 [[gnu::always_inline]] inline int find_meeting(const BoxBlock<S>* blocks, int count, const Box<S>& box, int* out) {
   int found = 0;
-  for (int first = 0; first < count; first += 8)
-    for (std::uint64_t lanes = first_bytes(meeting(blocks[first / 8], box), count - first); lanes; lanes &= lanes - 1)
+  for (int first = 0; first < count; first += boxes_of_block)
+    for (std::uint64_t lanes = first_bytes(meeting(blocks[first / boxes_of_block], box), count - first); lanes;
+         lanes &= lanes - 1)
       out[found++] = first + std::countr_zero(lanes) / 8;
   return found;
 }

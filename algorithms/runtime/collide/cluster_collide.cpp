@@ -50,14 +50,14 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
     memory->are_near = true;
     memory->count_query(0);
     first.expect(ClusterBody::Need::skin), second.expect(ClusterBody::Need::skin);  // they may touch again
-    return {of_clusters.found()[0]};
+    return of_clusters.take_found();
   }
   const bool are_in_float = first.is_skinned_in_float() && second.is_skinned_in_float();
   const bool is_whole = memory && memory->are_entangled() && are_in_float;
   if (is_whole) first.skin_all(), second.skin_all();
   if (first.is_all_skinned() && second.is_all_skinned()) of_clusters.add_all();
   else ClusterTraversal(first, second, of_clusters, counts, scratch.hits).run();
-  auto& pairs = of_clusters.found();
+  std::vector<TrianglePair> pairs = of_clusters.take_found();
   if (memory) {
     memory->are_near = !are_apart(first.box(), of_clusters.moved(second.box()));
     memory->remember(of_clusters.touching());
@@ -69,8 +69,7 @@ std::vector<TrianglePair> collide(ClusterBody& first, ClusterBody& second, Query
                                                                                             : ClusterBody::Need::bound;
     first.expect(need), second.expect(need);
   }
-  if (query == Query::yes_no && pairs.size() > 1) pairs.resize(1);
-  return std::move(pairs);
+  return pairs;
 }
 
 }  // namespace refitlab

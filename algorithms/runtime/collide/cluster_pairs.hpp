@@ -3,6 +3,8 @@
 // (cluster_pair_kernel.hpp), and the vertices in double decide the rest.
 #pragma once
 
+#include <utility>
+
 #include "algorithms/runtime/collide/collide.hpp"
 #include "algorithms/runtime/collide/skinned_clusters.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
@@ -77,7 +79,11 @@ class ClusterPairs {
   // Decides what is still open.
   void decide();
 
-  std::vector<TrianglePair>& found() { return found_; }
+  // Returns the pairs that were found, of which a yes/no query gets one at most, and forgets them.
+  std::vector<TrianglePair> take_found() {
+    if (query_ == Query::yes_no && found_.size() > 1) found_.resize(1);
+    return std::exchange(found_, {});
+  }
   Query query() const { return query_; }
   // Says whether a yes/no query has what it asks for. It looks no further in the clusters where it is found.
   bool is_done() const { return query_ == Query::yes_no && !found_.empty(); }
