@@ -89,6 +89,11 @@ class Description {
     if (!version || !version->is_string()) refuse("file", "says no version of glTF");
     const std::string text = version->get<std::string>();
     if (!text.starts_with("2.")) refuse("file", "glTF of version " + text.substr(0, 20) + ", not 2");
+    // A file may be of a later version and still be read as 2.0, unless it says that this is not enough.
+    const json* least = member(*asset, "minVersion");
+    if (!least || *least == "2.0") return;
+    if (!least->is_string()) refuse("file", "'minVersion' is not a version of glTF");
+    refuse("file", "needs glTF of version " + least->get<std::string>().substr(0, 20) + ", and 2.0 is what is read");
   }
 
   bool uses(const char* members, const char* extension) const {

@@ -57,7 +57,10 @@ tinygltf::Model read_gltf(const std::string& bytes, const std::string& path) {
   } catch (const std::exception& e) {
     error += e.what();
   }
-  if (!is_read || !error.empty()) throw ModelError(path, "glTF description", "tinygltf cannot read it: " + error.substr(0, 200));
+  if (!is_read || !error.empty()) {
+    error.resize(error.find_last_not_of(" \n") + 1);  // its reasons are lines
+    throw ModelError(path, "glTF description", "tinygltf cannot read it: " + error.substr(0, 200));
+  }
   return out;
 }
 
