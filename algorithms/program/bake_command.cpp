@@ -188,8 +188,8 @@ int run_bake(const std::vector<std::string>& arguments, std::ostream& out, std::
     out << "usage: refitlab bake [OPTION...] IN.glb OUT.glb\n\n"
            "Writes IN.glb again with bounds that hold at every time of its animations: boxes and balls as extras of its\n"
            "skins, meshes, primitives and animations, and clusters of triangles with their bounds in a chunk of its own.\n"
-           "Nothing else in the file changes. A folder that is missing is made. Bounds are in the frame of the scene, in the "
-           "units of the file.\n\n"
+           "Nothing else in the file changes. A folder that is missing is made. OUT.glb may be IN.glb, which it then replaces\n"
+           "once all is done. Bounds are in the frame of the scene, in the units of the file.\n\n"
         << options();
     return exit_done;
   }
