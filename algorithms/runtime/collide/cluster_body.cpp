@@ -119,6 +119,7 @@ void ClusterBody::start() {
   are_floats_filled_ = is_rather_skinned_ = is_shared_ = false;
   wide_nodes_made_.begin();
   nodes_bounded_ = work_ = 0;
+  need_ = Need::bound;
 }
 
 // Some of what belongs to a frame is that of the next one already.

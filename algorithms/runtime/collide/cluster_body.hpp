@@ -46,8 +46,8 @@ class ClusterBody {
   }
   // What queries will need first of a body: its bound, or the boxes of nodes, since it is near, or neither, since they skin.
   enum class Need { bound, nodes, skin };
-  // Says what queries of the frames to come will need first, as far as is known. begin() makes no more, and what is asked for anyway is
-  // made then.
+  // Says what queries of the next frame will need first, as far as is known. The begin() of that frame makes no more, and what is asked
+  // for anyway is made then. Unless this is called again, frames after that one begin with the bound.
   void expect(Need need) { need_ = need; }
 
   // These are boxes around all vertices below: those of a wide node's children, in blocks, and that around all of them. They
