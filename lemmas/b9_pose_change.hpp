@@ -16,6 +16,9 @@
 //   ||v - f|| + d + s(c - 2 e) (A(f) + n d)
 // of the hull of the C_k f of the old pose, and more closely of the point of that hull with the vertex' own weights. For linear
 // blending s is 0. Bounds of the old pose that were blown up by s A then need d + s(c - 2 e) (A + n d) in place of s A.
+// (iv) If c - 2 e >= 3/5, s(c - 2 e) <= s(c) + s(1 - 2 e) for the sharp s of b7_motion_bound. So those bounds need no more than
+//   d + s(1 - 2 e) A + s(c - 2 e) n d
+// besides, with the c of each and with an A and an s(c - 2 e) that are not exceeded by any: that is 0 where nothing changes.
 // The signs of skinning may stay: if all sigma_k sigma_l (q_k, q_l) >= c, then all sigma_k sigma_l (q'_k, q'_l) >= c - 2 e.
 //
 // Replaces: nothing in the paper, which refits every pose from nothing.
@@ -28,7 +31,11 @@
 // of the x_k = C'_k f - C_k f), and the square of that is n sum ||x_k||^2 - ||sum x_k||^2 <= n^2 d^2.
 // (iii) (q'_k, q'_l) - (q_k, q_l) = (q'_k - q_k, q'_l) + (q_k, q'_l - q_l), and all quaternions are units. Signs that are the
 // same in both poses keep the differences' lengths.
+// (iv) With x = 1 - c the square of s is x / 8 + 5 x^2 / 64, as long as c >= 3/5. That of x + y is those of x and y and 5 x y / 32,
+// which is at most two times the product of the roots, since s >= sqrt(5) x / 8. At a smaller c, s jumps from 1/4 to 9/(4 sqrt(10)).
 #pragma once
+
+#include <array>
 
 #include "lemmas/b7_motion_bound.hpp"
 
@@ -58,6 +65,19 @@ S spread_after_change(const S& spread, const S& count, const S& moved) {
 template <class S>
 S growth_by_change(const S& moved, const S& share, const S& spread_after) {
   return moved + share * spread_after;
+}
+
+// Says whether (iv) holds of c - 2 e.
+template <class S>
+auto has_sharp_share(const S& cosine_after) {
+  return S(5) * cosine_after >= S(3);
+}
+
+// Returns by how much bounds of the old pose that were blown up by s(c) A have to grow, which requires has_sharp_share. turn_share
+// is s(1 - 2 e), spread is at least A, and share is s(c - 2 e).
+template <class S>
+S growth_of_bound(const S& moved, const S& turn_share, const S& spread, const S& share, const S& count) {
+  return moved + (turn_share * spread + share * (count * moved));
 }
 
 // PoseChangeBounds bound all joints of a vertex: the least (q_k, q_l) of the old pose, e, d, and a number that A of the old
@@ -165,6 +185,14 @@ Verdict cosine_falls_little(const Quaternion<S>& now, const Quaternion<S>& other
   return less_equal(cosine_after_change(cosine, turn), dot(now, other_now));
 }
 
+// --- Conclusion of (iv) ---
+
+// Judges it for numbers that is_deviation_share accepts: share for c, and turn_share for 1 - 2 e.
+template <class S>
+Verdict share_grows_little(const S& cosine_after, const S& share, const S& turn_share) {
+  return less_equal(squared_deviation_share(cosine_after), sq(S(share + turn_share)));
+}
+
 // --- Conclusion for a skinned vertex ---
 
 // The witness splits v' = carried + moved + turned + deviated, where carried is in the hull of the old images.
@@ -217,6 +245,16 @@ Verdict stays_near_old_hull(const std::vector<RigidTransform<S>>& old, const Pos
                             const Vec<S, 3>& point, std::span<const S> u, const Vec<S, 3>& image, const S& arm) {
   const S growth = growth_by_change(change.moved, share, change.spread_after(old.size()));
   return less_equal(squared_distance<S, 3>(image, combine<S, 3>(u, images_of<S>(old, point))), sq(S(arm + growth)));
+}
+
+// Judges the same of a bound that was blown up by s(c) A before. shares are s(c), s(1 - 2 e) and s(c - 2 e).
+template <class S>
+Verdict stays_in_grown_bound(const std::vector<RigidTransform<S>>& old, const PoseChangeBounds<S>& change,
+                             const std::array<S, 3>& shares, const Vec<S, 3>& point, std::span<const S> u, const Vec<S, 3>& image,
+                             const S& arm) {
+  const S count(static_cast<int>(old.size())), growth = growth_of_bound(change.moved, shares[1], change.spread, shares[2], count);
+  return less_equal(squared_distance<S, 3>(image, combine<S, 3>(u, images_of<S>(old, point))),
+                    sq(S(arm + shares[0] * change.spread + growth)));
 }
 
 // --- Erratum: the old box grown by how far the images move ---

@@ -63,6 +63,21 @@ Definition spherical_stays_near : Prop := forall c e d a f js u v, pose_change c
   norm (skin_spherical (map rotation (nows js)) (map (fun t => apply_rigid t f) (nows js)) f u v - carried (olds js) u f)
     <= norm (v - f) + d.
 
+(* (iv), of any numbers whose squares are at least the sharp shares, and what bounds need that were blown up by s before. *)
+Definition sharp_share (c : R) : R := (1 - c) * (13 / 64 - 5 / 64 * c).
+Definition share_grows_at_most : Prop := forall c e s t, c <= 1 -> 0 <= e -> 0 <= s -> 0 <= t ->
+  sharp_share c <= s * s -> sharp_share (1 - 2 * e) <= t * t -> sharp_share (c - 2 * e) <= (s + t) * (s + t).
+Definition dual_stays_in_grown_bound : Prop := forall c e d a f js u v s t s', pose_change c e d a f js -> convex (length js) u ->
+  0 <= s -> 9 / 16 * (1 - c) <= s * s -> 0 <= t -> 9 / 16 * (1 - (1 - 2 * e)) <= t * t ->
+  0 <= s' -> 9 / 16 * (1 - (c - 2 * e)) <= s' * s' ->
+  norm (dual_blend (nows js) u v - carried (olds js) u f)
+    <= norm (v - f) + s * a + (d + (t * a + s' * (INR (length js) * d))).
+
+(* The share of b7_motion_bound is the sharp one down to 3/5 alone. So it grows by more where c passes that. *)
+Definition share (c : R) : R := if Rle_dec (3 / 5) c then sharp_share c else 9 / 16 * (1 - c).
+Definition share_grows_at_most_everywhere : Prop := forall c e s t, c <= 1 -> 0 <= e -> 0 <= s -> 0 <= t ->
+  share c <= s * s -> share (1 - 2 * e) <= t * t -> share (c - 2 * e) <= (s + t) * (s + t).
+
 (* What engines guess, which is so by linear blending alone: the old hull grown by d alone holds what was a vertex at f. *)
 Definition hull_grown_by_d : Prop := forall c e d a f js u, pose_change c e d a f js -> convex (length js) u ->
   norm (dual_blend (nows js) u f - carried (olds js) u f) <= d.
@@ -289,6 +304,35 @@ Proof.
   pose proof (norm_add (carried (nows js) u f - carried (olds js) u f)%V (dual_blend (nows js) u f - carried (nows js) u f)%V). lra.
 Qed.
 
+Theorem share_grows_at_most_holds : share_grows_at_most.
+Proof.
+  unfold share_grows_at_most, sharp_share. intros c e s t C E S0 T0 S T.
+  set (x := 1 - c) in *. set (y := 2 * e) in *. assert (X : 0 <= x) by (unfold x; lra). assert (Y : 0 <= y) by (unfold y; lra).
+  replace c with (1 - x) in * by (unfold x; ring). replace (1 - (1 - x)) with x in * by ring.
+  replace (1 - (1 - y)) with y in * by ring. replace (1 - (1 - x - y)) with (x + y) by ring. clearbody x y. clear C E c e.
+  assert (Q : 5 / 64 * (x * y) <= s * t).
+  { apply sq_le_inv; [now apply Rmult_le_pos|].
+    replace (s * t * (s * t)) with ((s * s) * (t * t)) by ring.
+    replace (5 / 64 * (x * y) * (5 / 64 * (x * y))) with ((5 / 64 * (x * x)) * (5 / 64 * (y * y))) by ring.
+    apply Rmult_le_compat; nra. }
+  nra.
+Qed.
+Theorem dual_stays_in_grown_bound_holds : dual_stays_in_grown_bound.
+Proof.
+  intros c e d a f js u v s t s' H W S0 S T0 T R0 R. pose proof H as (Cw & Ce & E0 & D0 & _ & _ & _ & A0 & _).
+  pose proof (pos_INR (length js)) as N. set (nd := INR (length js) * d) in *. assert (P : 0 <= nd) by (unfold nd; nra).
+  set (m := Rmin (s + t) s'). assert (M0 : 0 <= m) by (unfold m; apply Rmin_glb; lra).
+  assert (M : 9 / 16 * (1 - (c - 2 * e)) <= m * m) by (unfold m, Rmin; destruct (Rle_dec (s + t) s'); nra).
+  pose proof (dual_stays_near_holds c e d a f js u v m H W M0 M) as B. fold nd in B.
+  assert (m <= s + t) by apply Rmin_l. assert (m <= s') by apply Rmin_r. nra.
+Qed.
+Theorem share_grows_at_most_everywhere_is_false : ~ share_grows_at_most_everywhere.
+Proof.
+  intros G. specialize (G (3 / 5) (1 / 20) (1 / 4) (1 / 8)). unfold share, sharp_share in G.
+  destruct (Rle_dec (3 / 5) (3 / 5)) as [_|F]; [|lra]. destruct (Rle_dec (3 / 5) (1 - 2 * (1 / 20))) as [_|F]; [|lra].
+  destruct (Rle_dec (3 / 5) (3 / 5 - 2 * (1 / 20))) as [F|_]; [lra|]. lra.
+Qed.
+
 Theorem linear_stays_near_holds : linear_stays_near.
 Proof.
   intros js u d f v W Us M.
@@ -346,7 +390,8 @@ Qed.
 (* The hypotheses can be met: two joints at rest, of which the first turns by sqrt(2/13) and leaves the point where it is. *)
 Example change_instance : let o := Vec 0 0 0 in let still := Rigid (Quat 1 0 0 0) o in
   let js := [(still, Rigid (Quat (12 / 13) (5 / 13) 0 0) o); (still, still)] in
-  pose_change 1 (2 / 5) 0 0 o js /\ convex (length js) [1 / 2; 1 / 2] /\ 0 <= 3 / 4 /\ 9 / 16 * (1 - (1 - 2 * (2 / 5))) <= 3 / 4 * (3 / 4).
+  pose_change 1 (2 / 5) 0 0 o js /\ convex (length js) [1 / 2; 1 / 2] /\ 0 <= 3 / 4 /\ 9 / 16 * (1 - (1 - 2 * (2 / 5))) <= 3 / 4 * (3 / 4) /\
+  9 / 16 * (1 - 1) <= 0 * 0.
 Proof.
   assert (I : forall q : quat R, apply_rigid (Rigid q (Vec 0 0 0)) (Vec 0 0 0) = Vec 0 0 0).
   { intro q. unfold apply_rigid, rotate. cbn [rotation translation]. generalize (/ norm2 q). vring. }
@@ -359,6 +404,9 @@ Proof.
   - apply two; cbn [fst snd]; rewrite !I; apply norm_le; vunfold; lra.
   - unfold squared_spread. cbn [map pairs app total fst snd]. rewrite !I. vunfold. lra.
 Qed.
+Example share_instance : 4 / 5 <= 1 /\ 0 <= 1 / 10 /\ sharp_share (4 / 5) <= 1 / 4 * (1 / 4) /\
+  sharp_share (1 - 2 * (1 / 10)) <= 1 / 4 * (1 / 4).
+Proof. unfold sharp_share. lra. Qed.
 Example turn_instance : let p := Quat 1 0 0 0 in let q := Quat (12 / 13) (5 / 13) 0 0 in
   norm2 p = 1 /\ norm2 q = 1 /\ norm (q - p) <= 2 / 5 /\ dot (im (qmul (conj p) q)) (Vec 0 1 0) = 0.
 Proof. cbv zeta. repeat split; try (vunfold; lra). apply norm_le. vunfold. lra. Qed.

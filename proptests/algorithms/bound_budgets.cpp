@@ -125,6 +125,18 @@ double image_by_matrix(const RigidTransform<Budget>& joint, const Vec<Budget, 3>
   return std::sqrt(3.0) * (dot(row, f) + joint.translation[0]).in_u() + of_quaternion / u;
 }
 
+// Returns the error of A of as many images as a pack takes, relative to itself: n sum ||y_k||^2 is at most n A^2.
+double error_of_spread() {
+  const int n = most_motion_bound_joints;
+  Vec<Budget, 3> sum = of_length<0, 3>(tiny);
+  Budget squares(tiny, 0, 0);
+  for (int k = 1; k < n; ++k) {
+    const Vec<Budget, 3> y = of_length<0, 3>(1 / std::sqrt(n - 1.0), u / std::sqrt(n - 1.0));
+    sum = sum + y, squares = squares + squared_norm(y);
+  }
+  return squared_spread_of_sums(Budget(n), squares, sum).in_u();
+}
+
 Checked check_motion_bound() {
   DerivedBudgets budgets;
   // The share of A is at most the root of 9 / 16 and what is added for errors, so that an image's error e adds up to (1 + share
@@ -150,16 +162,8 @@ Checked check_motion_bound() {
   // This is the error of a dot product of two joints' quaternions, whose squared lengths are off by 2e-6 with the placement's.
   budgets.add("cosine", dot(turned, turned).in_u() + stretch, baseline::positive / u);
   // The share of A that is added for errors also has to hold those of A, of the share and of their product, relative to
-  // themselves: n sum ||y_k||^2 is at most n A^2.
-  const int n = most_motion_bound_joints;
-  Vec<Budget, 3> sum = of_length<0, 3>(tiny);
-  Budget squares(tiny, 0, 0);
-  for (int k = 1; k < n; ++k) {
-    const Vec<Budget, 3> y = of_length<0, 3>(1 / std::sqrt(n - 1.0), u / std::sqrt(n - 1.0));
-    sum = sum + y, squares = squares + squared_norm(y);
-  }
-  const Budget spread = squared_spread_of_sums(Budget(n), squares, sum);
-  budgets.add("A", share * (spread.in_u() + 8), error_share(0) / u);
+  // themselves.
+  budgets.add("A", share * (error_of_spread() + 8), error_share(0) / u);
   // This is the error of what is computed of | ||q||^2 - 1 |, beside 1e-6.
   const double of_square = squared_norm(rounded_input<4>(1)).in_u();
   budgets.add("surely rigid", of_square, (1e-6 - surely_rigid) / u);
@@ -195,6 +199,8 @@ Checked check_pose_change() {
   // A length takes three roundings of itself, and its product with a radius and the sum one each.
   const Budget squared = squared_norm(of_length<0, 3>(1, 0)), far = root(Budget(1, squared.error, 1));
   budgets.add("per growth", (far + Budget(1, 0, 0) * far).in_u() + 4, lost_of_motion_bound / u);
+  // Where the share of a turn is of the earlier pose's A alone, no share for errors holds those of A.
+  budgets.add("A of the earlier pose", error_of_spread() + 8, lost_of_motion_bound / u);
   return budgets.checked();
 }
 

@@ -46,4 +46,8 @@ inline const Turn first(1, 0, 0, 0), second(Q(3, 5), 0, 0, Q(4, 5));
 inline const Turn first_now(Q(12, 13), 0, 0, Q(-5, 13)), second_now(Q(16, 65), 0, 0, Q(63, 65));
 inline const Q apart(3, 5), apart_now(-123, 845);
 
+// The share is 1/4 at the least cosine of its sharp formula, and its square is 9/32 at 1/2. That of a step of as much as lies between is
+// 17/1280.
+inline const Q at_the_jump(3, 5), beyond_the_jump(1, 2), share_at_the_jump(1, 4), share_of_the_step(1, 8);
+
 }  // namespace proptests::b9

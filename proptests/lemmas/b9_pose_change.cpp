@@ -2,6 +2,7 @@
 #include "lemmas/b9_pose_change.hpp"
 
 #include "proptests/counterexamples/b9_pose_change.hpp"
+#include "proptests/gen/any_place.hpp"
 #include "proptests/gen/rigid.hpp"
 #include "proptests/gen/weakening.hpp"
 #include "proptests/gen/weights.hpp"
@@ -91,10 +92,12 @@ void formulas_are_those_of_the_statement(Suite& t) {
   const auto are_right = []<class S>(const S& one) {
     const S half = one / S(2);
     return moved_at_most<S>(one, half, S(3)) == S(4) && cosine_after_change<S>(one, half / S(2)) == half &&
-           spread_after_change<S>(one, S(4), half) == S(3) && growth_by_change<S>(one, half, S(8)) == S(5);
+           spread_after_change<S>(one, S(4), half) == S(3) && growth_by_change<S>(one, half, S(8)) == S(5) &&
+           growth_of_bound<S>(half, S(3), S(5), one / S(8), S(4)) == half + S(15) + half * half && has_sharp_share<S>(one) &&
+           !has_sharp_share<S>(half);
   };
-  t.example("1 + 2 / 2 3 = 4, 1 - 2 / 4 = 1 / 2, 1 + 4 / 2 = 3 and 1 + 8 / 2 = 5, in each number type", {},
-            [&] { return are_right(Rational(1)) && are_right(1.0) && are_right(1.0F); });
+  t.example("1 + 2 / 2 3 = 4, 1 - 2 / 4 = 1 / 2, 1 + 4 / 2 = 3, 1 + 8 / 2 = 5 and 1 / 2 + 3 5 + 4 / 2 / 8, in each number type",
+            {}, [&] { return are_right(Rational(1)) && are_right(1.0) && are_right(1.0F); });
 }
 
 void points_move_within_the_bound(Suite& t) {
@@ -213,6 +216,44 @@ void cosines_fall_within_the_bound(Suite& t) {
           });
 }
 
+// Draws a number from 0 to most, either end now and then.
+Rational up_to(const Rational& most) {
+  const int parts = 1000, part = *rc::gen::oneOf(gen::between(0, parts + 1), rc::gen::element(0, parts));
+  return most * Rational(part, parts);
+}
+
+void shares_grow_within_the_bound(Suite& t) {
+  t.holds("the share of the cosine that is left is at most those of the old one and of the turn together",
+          {.form = "beyond", .number_type = "rational", .cases = 500, .degenerate_at_least = 0.05, .degenerate_at_most = 0.6},
+          [] {
+            // c and 2 e, with c - 2 e >= 3/5.
+            const Rational lost = up_to(Rational(2, 5)), turns = up_to(Rational(2, 5) - lost), cosine = Rational(1) - lost,
+                           after = cosine_after_change(cosine, Rational(turns / Rational(2)));
+            RC_CLASSIFY(lost == 0 || turns == 0, "degenerate");
+            RC_TAG(after == Rational(3, 5) ? "at 3/5" : "above 3/5");
+            RC_ASSERT(has_sharp_share(after));
+            const Rational share = upper_root(squared_deviation_share(cosine)),
+                           of_turn = upper_root(squared_deviation_share(Rational(Rational(1) - turns)));
+            RC_ASSERT(is_deviation_share(share, cosine) == Verdict::holds);
+            RC_ASSERT(is_deviation_share(of_turn, Rational(Rational(1) - turns)) == Verdict::holds);
+            RC_ASSERT(share_grows_little(after, share, of_turn) == Verdict::holds);
+            // The same as the statement writes it.
+            const Rational x = lost + turns;
+            RC_ASSERT(x / Rational(8) + Rational(5) * sq(x) / Rational(64) <= sq(Rational(share + of_turn)));
+            // If either is 0, nothing is lost.
+            if ((lost == 0 || turns == 0) && x > 0)
+              RC_ASSERT(share_grows_little(after, Rational(share * Rational(99, 100)), Rational(of_turn * Rational(99, 100))) ==
+                        Verdict::fails);
+          });
+  t.example("of smaller cosines it may be more", {.form = "beyond", .hypothesis = "c - 2 e >= 3/5"}, [] {
+    using namespace b9;
+    return has_sharp_share(at_the_jump) && !has_sharp_share(beyond_the_jump) &&
+           is_deviation_share(share_at_the_jump, at_the_jump) == Verdict::holds &&
+           is_deviation_share(share_of_the_step, Q(Q(1) - (at_the_jump - beyond_the_jump))) == Verdict::holds &&
+           share_grows_little(beyond_the_jump, share_at_the_jump, share_of_the_step) == Verdict::fails;
+  });
+}
+
 // Asserts that the image of the vertex in the new pose is as the lemma says of the old one.
 void assert_stays_near(const PoseCase& c, const DeviatedVertex<Rational>& in_new_pose, const RationalVec<3>& image,
                        const Rational& share) {
@@ -226,6 +267,15 @@ void assert_stays_near(const PoseCase& c, const DeviatedVertex<Rational>& in_new
   // The same as the statement writes it.
   const Rational n(static_cast<int>(c.old.size())), most = arm + c.bounds.moved + share * (c.bounds.spread + n * c.bounds.moved);
   RC_ASSERT(squared_norm(RationalVec<3>(image - found.carried)) <= sq(most));
+  if (!has_sharp_share(c.bounds.cosine_after())) return;
+  RC_TAG("of a sharp share");
+  const Rational none(0),
+      before = share == 0 ? none : upper_root(squared_deviation_share(c.bounds.cosine)),
+      of_turn = share == 0 ? none : upper_root(squared_deviation_share(Rational(Rational(1) - Rational(2) * c.bounds.turn)));
+  RC_ASSERT(stays_in_grown_bound(c.old, c.bounds, {before, of_turn, share}, c.point, c.u(), image, arm) == Verdict::holds);
+  const Rational no_more =
+      arm + before * c.bounds.spread + c.bounds.moved + of_turn * c.bounds.spread + share * n * c.bounds.moved;
+  RC_ASSERT(squared_norm(RationalVec<3>(image - found.carried)) <= sq(no_more));
 }
 
 void skinned_vertices_stay_near_the_old_hull(Suite& t) {
@@ -447,6 +497,44 @@ void hypotheses_need_each_part(Suite& t) {
   });
 }
 
+void grown_bounds_need_each_share(Suite& t) {
+  t.holds("a bound that was blown up holds a vertex that is raised from rest, and does not without the share of the turn",
+          {.form = "beyond", .number_type = "rational", .cases = 100}, [] {
+            Bulge b;
+            const Rational tangent = Rational(1, 100 + static_cast<int>(gen::any_place(100))),
+                           scale = Rational(1) / (Rational(1) + sq(tangent));
+            b.cosine = (Rational(1) - sq(tangent)) * scale, b.sine = Rational(2) * tangent * scale;
+            for (std::size_t k = 0; k < 2; ++k) b.turned[k].rotation = {b.cosine, k == 0 ? b.sine : -b.sine, 0, 0};
+            for (std::size_t k = 0; k < 2; ++k) b.at_rest[k] = carrying(no_turn, b.point, apply(b.turned[k], b.point));
+            const Bounds bounds{1, upper_root(Rational(2) - Rational(2) * b.cosine), 0, b.spread()};
+            RC_ASSERT(is_pose_change(b.at_rest, b.turned, bounds, b.point) == Verdict::holds);
+            RC_ASSERT(has_sharp_share(bounds.cosine_after()));
+            const Rational share = upper_root(squared_deviation_share(bounds.cosine_after())), none(0);
+            const RationalVec<3> image = oracle::dual_quaternion(b.turned, b.halves, b.point);
+            const auto stays = [&](const Rational& before, const Rational& of_turn) {
+              return stays_in_grown_bound(b.at_rest, bounds, {before, of_turn, share}, b.point, Span(b.halves), image, none);
+            };
+            RC_ASSERT(stays(none, share) == Verdict::holds);
+            RC_ASSERT(stays(none, none) == Verdict::fails);
+            // Nor does it matter which of both has the share.
+            RC_ASSERT(stays(share, none) == Verdict::holds);
+          });
+  t.holds("a joint that only moves carries a vertex to the edge of such a bound",
+          {.form = "beyond", .number_type = "rational", .cases = 100}, [] {
+            const Transform old = *gen::rigid_transform();
+            Transform now = old;
+            const Rational moved = *gen::positive_rational(), none(0);
+            now.translation[static_cast<int>(gen::any_place(3))] += moved;
+            const RationalVec<3> point = *gen::rational_vector<3>();
+            const std::vector<Rational> whole{Rational(1)};
+            const auto stays = [&](const Rational& by) {
+              return stays_in_grown_bound<Rational>({old}, {1, 0, by, 0}, {none, none, none}, point, Span(whole),
+                                                    apply(now, point), none);
+            };
+            RC_ASSERT(stays(moved) == Verdict::holds && stays(Rational(moved * Rational(999, 1000))) == Verdict::fails);
+          });
+}
+
 void pinned_cases_without_a_hypothesis(Suite& t) {
   const auto leaves_without = [&t](const std::string& hypothesis, const std::string& sentence, const Transforms& old,
                                    const Transforms& now, const Bounds& bounds) {
@@ -517,10 +605,12 @@ PROPTEST(b9_pose_change) {
   points_move_within_the_bound(t);
   images_spread_within_the_bound(t);
   cosines_fall_within_the_bound(t);
+  shares_grow_within_the_bound(t);
   skinned_vertices_stay_near_the_old_hull(t);
   verdicts_and_witnesses_are_checked(t);
   hypotheses_need_each_part(t);
   reaches_share(t, "cases of several joints that turn, move and are apart", 0.2, [] { return !PoseCase(1, 4).is_degenerate(); });
+  grown_bounds_need_each_share(t);
   pinned_cases_without_a_hypothesis(t);
   pinned_cases(t);
 }

@@ -18,6 +18,8 @@ double distance_of_rotations(const Quaternion<double>& p, const Quaternion<doubl
   return std::sqrt(std::min(squared_norm(Quaternion<double>(p - q)), squared_norm(Quaternion<double>(p + q))));
 }
 
+double share_at(double cosine) { return std::sqrt(squared_deviation_share(cosine)); }
+
 // Returns the greatest length of a point of a box, or a little more.
 double farthest_from_origin(const Box<double>& box) {
   return box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).norm() * (1 + lost_of_motion_bound);
@@ -59,8 +61,10 @@ std::optional<Box<double>> PoseChange::box(const Pose& pose, const RigidTransfor
   if (deviates_) {
     const double cosine = cosine_after_change(posed_.cosine, change.turned + lost_of_turn) - lost_of_cosine;
     if (!(cosine > 0)) return {};
-    const double share = std::sqrt(squared_deviation_share(cosine)) + error_share(1e-6);
-    growth = growth_by_change(growth, share, spread_after_change<double>(posed_.spread, most_joints_, growth));
+    const double share = share_at(cosine) + error_share(1e-6);
+    growth = has_sharp_share(cosine)
+                 ? growth_of_bound<double>(growth, share_at(1 - (posed_.cosine - cosine)), posed_.spread, share, most_joints_)
+                 : growth_by_change(growth, share, spread_after_change<double>(posed_.spread, most_joints_, growth));
   }
   growth =
       growth * (1 + lost_of_motion_bound) + least_length +

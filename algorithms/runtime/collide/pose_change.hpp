@@ -3,7 +3,8 @@
 // an earlier pose. The box is larger, and the more so the more has changed.
 //
 // By b9_pose_change, if no joint has carried the points f of its groups farther than d, and no quaternion is farther than e from that
-// of the earlier pose, vertices are within d + s (A + n d) of the earlier bound, where s belongs to c - 2 e. A placement that turns
+// of the earlier pose, vertices are within d + s(1 - 2 e) A + s(c - 2 e) n d of the earlier bound, or, where c - 2 e is small, within
+// d + s(c - 2 e) (A + n d). Here c is the least of all groups, and n and A are the greatest. A placement that turns
 // by Q' rather than Q carries what is at most N from the model's origin no farther than 2 ||Q' - Q|| N, and what it moves by is the
 // same for all. So one pass over the joints is enough, without groups and their joints.
 #pragma once
