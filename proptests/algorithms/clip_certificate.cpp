@@ -883,6 +883,12 @@ void half_turns_intervals_and_what_is_no_certificate(Suite& t) {
     const std::string said = run.lines.empty() ? "" : run.lines.back();
     return Checked(run.status == 0, run.status == 0 ? std::stol(said) : 1, said);
   });
+  t.example("a checker that lacks numpy says so, and rejects nothing", {}, [] {
+    const TemporaryFolder folder;
+    write_whole(folder.path() + "/numpy.py", "raise ImportError('there is none')");
+    const oracle::CheckerRun run = oracle::run_clip_checker("x", folder.path());
+    return run.status == 2 && run.lines == std::vector<std::string>{"check_clip: numpy is needed: there is none"};
+  });
   t.example("what is no certificate is rejected or unreadable, without a word of its own", {}, [] {
     Certified certified(gen::RichGltf(false, true).file.binary_file());
     const std::string text = certified.text();

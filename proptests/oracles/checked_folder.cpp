@@ -40,7 +40,9 @@ std::string pairs_checker() { return checker() + "_pairs"; }
 
 CheckerRun run_checker(const std::string& path, const std::string& program) { return run("python3 '" + program + "' " + path); }
 
-CheckerRun run_clip_checker(const std::string& arguments) { return run("'" PROPTESTS_CLIP_CHECKER "' " + arguments); }
+CheckerRun run_clip_checker(const std::string& arguments, const std::string& modules) {
+  return run("env PYTHONPATH='" + modules + "' '" PROPTESTS_CLIP_CHECKER "' " + arguments);
+}
 
 CheckerRun run_interval_test() { return run("\"$(dirname '" PROPTESTS_CLIP_CHECKER "')/over_time/test\""); }
 

@@ -19,8 +19,9 @@ std::string pairs_checker();  // and of check_pairs
 // Runs a checker on a file or folder without spaces, on several, or on nothing. A run of more than two minutes of processor time
 // is ended.
 CheckerRun run_checker(const std::string& path, const std::string& program = checker());
-// Runs proptests/certificate/check_clip in the same way. Arguments are separated by spaces.
-CheckerRun run_clip_checker(const std::string& arguments);
+// Runs proptests/certificate/check_clip in the same way. Arguments are separated by spaces. Python looks into the folder `modules` first,
+// if it is named.
+CheckerRun run_clip_checker(const std::string& arguments, const std::string& modules = "");
 // Runs the test of the checker's intervals. Its last line says how many cases it tried, or what is wrong.
 CheckerRun run_interval_test();
 
