@@ -8,7 +8,7 @@ namespace refitlab::drawings {
 std::vector<Drawing> all_drawings() {
   std::vector<Drawing> all;
   for (const auto *some : {&drawings_of_lemmas(), &drawings_of_sections(), &drawings_of_one_cap(), &drawings_of_control_hulls(),
-                           &drawings_of_motion()})
+                           &drawings_of_determinants(), &drawings_of_motion()})
     all.insert(all.end(), some->begin(), some->end());
   return all;
 }

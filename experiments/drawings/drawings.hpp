@@ -16,6 +16,7 @@ const std::vector<Drawing> &drawings_of_lemmas();
 const std::vector<Drawing> &drawings_of_sections();
 const std::vector<Drawing> &drawings_of_one_cap();
 const std::vector<Drawing> &drawings_of_control_hulls();
+const std::vector<Drawing> &drawings_of_determinants();
 const std::vector<Drawing> &drawings_of_motion();
 
 // Returns all drawings.

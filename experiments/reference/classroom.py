@@ -22,7 +22,7 @@ FURTHER = [
     ("All joint-sets of a node", ["s44_sum_of_bounds", "s44_joint_sets"]),
     ("Simplifications that are theorems", ["t3_min_dot_distance", "t3_one_cap", "t3_smallest_ball_smallest_cap", "rotation_bound"]),
     ("More beyond the paper", ["b3_subdivision", "b4_cap_fallback", "b5_rotation_axis", "b6_dual_quaternion_ball", "b7_motion_bound",
-                          "b8_blend_error", "b9_pose_change"]),
+                          "b8_blend_error", "b9_pose_change", "b10_determinant_error"]),
     ("Bounds over time", ["c1_chord_bound", "c2_channel_motion", "c3_normalized_motion", "c4_chain_motion", "c5_skinned_motion", "c6_interval_hull", "c7_crossfade",
                           "c8_any_pose"]),
     ("Joints that scale, vertices that are displaced", ["a1_affine_image", "a2_two_phase_skinning", "a3_morph_displacement", "a4_joint_volumes"]),

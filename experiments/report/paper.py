@@ -7,6 +7,7 @@ from .counterexamples import Cases, of_cases
 from .formats import escaped, exact
 from .paper_numbers import numbers, plots, tables
 from .tables import ResultError
+from .verdicts import order_of_stems
 
 
 def texts(folder):
@@ -41,7 +42,7 @@ def write(results, root, pictures, out):
     folder = root / "paper"
     made = numbers(results, root)
     made.update({name: exact(value) for name, value in of_cases(Cases(root / "proptests/cases/cases.json")).items()})
-    lemmas = ["algorithm1_printed", "algorithm1_repaired", *sorted(p.stem for p in (root / "lemmas").glob("*.hpp"))]
+    lemmas = ["algorithm1_printed", "algorithm1_repaired", *sorted((p.stem for p in (root / "lemmas").glob("*.hpp")), key=order_of_stems)]
     made_tables, made_plots = tables(results, lemmas, root), plots(results)
     results.rows("run") if not results.draft or (results.folder / "run.csv").exists() else None
     check_use("num", made, folder)

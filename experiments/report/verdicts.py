@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The verdicts on the lemmas: what the property tests say of each statement, summed up here for the page, the paper and README."""
+import re
 from dataclasses import dataclass
 
 from markupsafe import Markup
@@ -35,9 +36,15 @@ def of_stem(stem, rows):
                    sorted({r.number_type for r in rows} - {""}), sorted({r.hypothesis for r in rows} - {""}))
 
 
+def order_of_stems(stem):
+    """Returns a key that sorts stems by the alphabet, and their numbers by size: b10 comes after b9."""
+    return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", stem)]
+
+
 def summed_up(rows):
-    """Returns the verdict of each stem that has a statement, in the order of the alphabet."""
-    return [of_stem(stem, some) for stem, some in sorted(grouped(rows, lambda row: row.stem).items()) if any(r.role == "statement" for r in some)]
+    """Returns the verdict of each stem that has a statement, in the order of the stems."""
+    of_stems = grouped(rows, lambda row: row.stem)
+    return [of_stem(stem, of_stems[stem]) for stem in sorted(of_stems, key=order_of_stems) if any(r.role == "statement" for r in of_stems[stem])]
 
 
 def said_of_claims(cases):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PolynomialBudget is a number type that derives the rounding budgets of determinants. A number is bounded by polynomials with
-// positive coefficients in the largest differences X, Y, Z of the vertices' coordinates, and in e, by which the true differences
-// may be off. So one run of the code's own templates compares errors with allowances for all X, Y, Z and e, coefficient by
+// positive coefficients in the largest differences X, Y, Z of the vertices' coordinates, and in e, which is twice the vertices'
+// slack. So one run of the code's own templates compares errors with allowances for all X, Y, Z and e, coefficient by
 // coefficient.
 #pragma once
 
@@ -56,11 +56,9 @@ class Polynomial {
 template <int digits>
 struct PolynomialBudget {
   static constexpr double u = 1.0 / double(1L << digits);
-  // These are the greatest share of the allowance that an error takes in any coefficient, of all determinants that were compared,
-  // and the share of XYZ, which is all for vertices that are exact.
-  static inline double greatest_share = 0, share_of_rounding = 0;
+  // This is the greatest share of the allowance that an error takes in any coefficient, of all determinants that were compared.
+  static inline double greatest_share = 0;
   static inline long compared = 0;
-  static inline bool are_vertices_exact = false;
 
   // What is computed is at most `most` and, if it is a sum of positive terms, at least `least`. It is within `error` of the
   // true number. axis is the coordinate of a vertex, and -1 for other numbers.
@@ -75,11 +73,11 @@ struct PolynomialBudget {
     out.axis = axis;
     return out;
   }
-  // Returns a computed difference of two vertices' coordinates, which is within a rounding of itself, and e, of the true one.
-  // Numbers of the slack are exact.
+  // Returns a computed difference of two vertices' coordinates, which is within a rounding of the true one. Numbers of the slack
+  // are exact.
   static PolynomialBudget difference(int axis) {
     const Polynomial x = Polynomial::variable(axis);
-    return {x, x * Polynomial(u) + (are_vertices_exact ? Polynomial() : Polynomial::variable(3)), x};
+    return {x, x * Polynomial(u), x};
   }
   static PolynomialBudget twice_slack() { return {Polynomial::variable(3), {}, Polynomial::variable(3)}; }
 
@@ -105,11 +103,8 @@ struct PolynomialBudget {
   friend bool operator>(const PolynomialBudget& determinant, const PolynomialBudget& allowance) {
     // This is a check of ranges.
     if (allowance.most.is_constant()) return true;
-    for (const auto& [powers, error] : determinant.error.coefficients()) {
-      const double share = error / allowance.least.at(powers);
-      greatest_share = std::max(greatest_share, share);
-      if (powers[3] == 0) share_of_rounding = std::max(share_of_rounding, share);
-    }
+    for (const auto& [powers, error] : determinant.error.coefficients())
+      greatest_share = std::max(greatest_share, error / allowance.least.at(powers));
     ++compared;
     return true;
   }

@@ -14,27 +14,24 @@
 // above 1e-286, and 2^-1075 is nothing in comparison. For other values no sign is certain: products may underflow, or
 // determinants may overflow where their bounds do not.
 //
-// Vertices with errors. Let u = 2^-24 now, and let each coordinate differ by at most a slack from that of the vertex that counts.
-// Differences of these vertices differ by at most e = 2 slack from those of the floats, before rounding. So each of the six
-// products differs by at most (X + e)(Y + e)(Z + e) - XYZ = e (XY + YZ + ZX) + e^2 (X + Y + Z) + e^3 of what it is of the floats'
-// exact differences, and X, Y, Z of these are within 1 + u of the computed ones. Rounding has 67 u XYZ < 4.1e-6 XYZ as above. The
-// code takes 6.1 times the former and 6e-6 XYZ, which leaves more than a hundredth and a fourth for its own roundings. With X + Y
-// + Z below 1e12 and the bound above 1e-28, six products of two that underflow have at most 1e-44 times a third difference each,
-// below 1e-31, and nothing overflows. proptests/algorithms/float_budgets.cpp derives both.
+// Vertices with errors. Let u = 2^-24 now, and let each coordinate differ by at most a slack, e / 2, from that of the vertex
+// that counts. By how much that changes a determinant is in b10_determinant_error, whose bounds by extents and by slopes are
+// taken here. X, Y, Z of the floats' exact differences are within 1 + u of the computed ones. Rounding has 67 u XYZ < 4.1e-6
+// XYZ as above. By extents the code takes 1.017 times the lemma's bound and 6e-6 XYZ, which leaves more than a hundredth and a
+// fourth for its own roundings. With X + Y + Z below 1e12 and the bound above 1e-28, six products of two that underflow have at
+// most 1e-44 times a third difference each, below 1e-31, and nothing overflows. proptests/algorithms/float_budgets.cpp derives
+// both.
 //
-// Slopes. That takes each of the six products for itself. The determinant of p = b - a, q = c - a and r = d - a has the derivative
-// q x r by b, r x p by c, p x q by d, and minus the sum of these by a. Where each coordinate of the four vertices is off by at most the
-// slack e / 2, the determinant is off by at most e / 2 times the sum of the 1-norms of these four, plus products of two or three
-// errors: 2 e^2 (X + Y + Z) for each two of the differences, and 6 e^3. This is several times less, since products cancel in the
-// derivatives, and it takes two more cross products for each determinant. The norms are computed of rounded differences, and lose
-// less than 107 u (XY + YZ + ZX), which is below 6.4e-6 of this sum. The code takes 1e-5, and a five hundredth more of all norms for
-// its own roundings. For those of the determinant it takes 5e-6 XYZ. proptests/algorithms/float_budgets.cpp derives this, and
-// triangles_filter.cpp there compares the whole with what a determinant loses if its vertices are off as far as they can be.
+// Slopes. They bound the errors several times more tightly, and take two more cross products for each determinant. The norms
+// are computed of rounded differences, and lose less than 107 u (XY + YZ + ZX), which is below 6.4e-6 of this sum. The code
+// takes 1e-5 with the slack, and a five hundredth more of all norms for its own roundings. For those of the determinant it
+// takes 5e-6 XYZ. proptests/algorithms/float_budgets.cpp derives this, and triangles_filter.cpp there compares the whole with
+// what a determinant loses if its vertices are off as far as they can be.
 #pragma once
 
 #include <array>
 
-#include "lemmas/vocabulary/vector.hpp"
+#include "lemmas/b10_determinant_error.hpp"
 
 namespace refitlab {
 
@@ -65,7 +62,9 @@ struct NearVertices {
   S error(const S& x, const S& y, const S& z) const {
     const S& e = twice_slack;
     const S xy = x * y, sum = x + y;
-    return S(6.1f) * (e * ((xy + z * sum) + e * (sum + z + e))) + S(6e-6f) * (xy * z);
+    return S(1.017f) *
+               (first_order_by_extents<S>(e, xy + z * sum) + (second_order_by_extents<S>(e, sum + z) + third_order<S>(e))) +
+           S(6e-6f) * (xy * z);
   }
   auto are_in_range(const S& error, const S& x, const S& y, const S& z) const {
     return error > S(1e-28f) && x + y + z < S(1e12f);
@@ -79,20 +78,12 @@ struct NearVerticesBySlopes : NearVertices<S> {
   S error(const S& x, const S& y, const S& z) const {
     const S& e = this->twice_slack;
     const S xy = x * y, sum = x + y;
-    return e * (S(5e-6f) * (xy + z * sum) + S(6.1f) * e * (sum + z + e)) + S(5e-6f) * (xy * z);
+    return S(1.017f) * (second_order_by_extents<S>(e, sum + z) + third_order<S>(e)) +
+           (S(5e-6f) * e * (xy + z * sum) + S(5e-6f) * (xy * z));
   }
   // Returns what the determinant of (p, q, r) is off by to first order. normal is p x q.
   S error_by_slopes(const Vec<S, 3>& p, const Vec<S, 3>& q, const Vec<S, 3>& normal, const Vec<S, 3>& r) const {
-    return S(0.501f) * this->twice_slack * sum_of_slopes(normal, cross<S>(q, r), cross<S>(r, p));
-  }
-  static S sum_of_slopes(const Vec<S, 3>& by_d, const Vec<S, 3>& by_b, const Vec<S, 3>& by_c) {
-    return (one_norm(by_b) + one_norm(by_c)) + (one_norm(by_d) + one_norm((by_b + by_c) + by_d));
-  }
-
- private:
-  static S one_norm(const Vec<S, 3>& v) {
-    using std::abs;
-    return S(abs(v[0])) + S(abs(v[1])) + S(abs(v[2]));
+    return first_order_by_slopes<S>(S(0.501f) * this->twice_slack, sum_of_slopes<S>(cross<S>(q, r), cross<S>(r, p), normal));
   }
 };
 

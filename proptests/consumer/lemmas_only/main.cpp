@@ -9,6 +9,7 @@
 #include "lemmas/a1_affine_image.hpp"
 #include "lemmas/a2_two_phase_skinning.hpp"
 #include "lemmas/a3_morph_displacement.hpp"
+#include "lemmas/b10_determinant_error.hpp"
 #include "lemmas/b1_rational_bezier_simplex.hpp"
 #include "lemmas/b2_control_hull_encloses.hpp"
 #include "lemmas/b3_subdivision.hpp"
