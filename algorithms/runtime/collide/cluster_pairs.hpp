@@ -79,7 +79,8 @@ class ClusterPairs {
   // Decides what is still open.
   void decide();
 
-  // Returns the pairs that were found, of which a yes/no query gets one at most, and forgets them.
+  // These are the pairs that were found. take_found() forgets them, and returns one at most to a yes/no query.
+  const std::vector<TrianglePair>& found() const { return found_; }
   std::vector<TrianglePair> take_found() {
     if (query_ == Query::yes_no && found_.size() > 1) found_.resize(1);
     return std::exchange(found_, {});
