@@ -7,6 +7,7 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/collide/cluster_body.hpp"
+#include "algorithms/runtime/collide/motion_piece_merger.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/animated_character.hpp"
 #include "lemmas/b7_motion_bound.hpp"
@@ -30,6 +31,8 @@ bool holds(const Box<double>& box, const std::vector<Point3>& points, std::span<
 
 // Holds the motion bounds of some nodes, by their position.
 struct NodeMotionBound {
+  enum class Kind { single, merged };
+
   std::vector<MotionBoundPiecePack> packs;
   std::vector<FlippedBox> turned;
   std::vector<Box<double>> boxes;  // in the world
@@ -39,7 +42,15 @@ struct NodeMotionBound {
         turned(count),
         boxes(count) {}
   NodeMotionBound(const Character& c, const std::vector<int>& nodes)
-      : NodeMotionBound(make_motion_bound_packs(c, pieces_of_nodes(c, nodes)), nodes.size()) {}
+      : NodeMotionBound(make_motion_bound_packs(c, motion_pieces(c, pieces_of_nodes(c, nodes))), nodes.size()) {}
+  // Makes those of all nodes, of which pieces are merged or not.
+  NodeMotionBound(const Character& c, Kind kind)
+      : NodeMotionBound(make_motion_bound_packs(c, pieces(c, kind)), c.tree.nodes.size()) {}
+  static std::vector<MotionPiece> pieces(const Character& c, Kind kind) {
+    std::vector<std::vector<int>> lists;
+    for (std::size_t n = 0; n < c.tree.nodes.size(); ++n) lists.emplace_back(c.vertices[n].begin(), c.vertices[n].end());
+    return kind == Kind::merged ? MotionPieceMerger(c).pieces(lists) : motion_pieces(c, pieces_of_vertices(c, lists));
+  }
 
   // Bounds the nodes. Returns false if nothing is known of one of them.
   bool bound(MotionBound& motion_bound, const Pose& pose, const RigidTransform<double>& placement,
@@ -73,9 +84,9 @@ void boxes_of_nodes_hold_their_vertices(Suite& t) {
           {.number_type = "float", .cases = 300, .degenerate_at_least = 0.3, .tags_at_least = {{"bounded", 0.5}}}, [] {
             const auto plan = gen::classified_plan();
             const auto c = bake(gen::make_mesh(plan), {.triangles_per_leaf = *rc::gen::element(1, 10)});
-            NodeMotionBound nodes(c, all_nodes(c));
-            if (nodes.packs.empty()) RC_DISCARD("too many joints");
             std::mt19937 random(plan.seed);
+            NodeMotionBound nodes(c, random() % 2 ? NodeMotionBound::Kind::merged : NodeMotionBound::Kind::single);
+            if (nodes.packs.empty()) RC_DISCARD("too many joints");
             const double spread = *rc::gen::element(0.0, 1e-3, 0.1, 0.5, 1.0);
             for (const Skinning skinning : {Skinning::linear, Skinning::spherical, Skinning::dual_quaternion}) {
               MotionBound motion_bound(c.mesh, c.sets, skinning);
@@ -342,7 +353,7 @@ void tiny_models_and_tight_boxes(Suite& t) {
           std::vector<int> nodes;
           for (int n = 0; n < std::min(20, static_cast<int>(c.tree.nodes.size())); ++n) nodes.push_back(n);
           auto pieces = pieces_of_nodes(c, nodes);
-          const auto packs = make_motion_bound_packs(c, pieces);
+          const auto packs = make_motion_bound_packs(c, motion_pieces(c, pieces));
           std::stable_sort(pieces.begin(), pieces.end(),
                            [](const SimplexPiece& p, const SimplexPiece& q) { return p.low.size() > q.low.size(); });
           for (std::size_t i = 0; i < packs.size() * motion_bound_lanes; ++i, ++lanes) {
@@ -408,8 +419,8 @@ void rods_half_turns_and_what_has_no_pack(Suite& t) {
     const auto near = bake(model);
     for (Point3& v : model.vertices) v *= 1e25;
     const auto far = bake(model);
-    return Checked(!make_motion_bound_packs(near, pieces_of_nodes(near, all_nodes(near))).empty() &&
-                   make_motion_bound_packs(far, pieces_of_nodes(far, all_nodes(far))).empty());
+    return Checked(!make_motion_bound_packs(near, motion_pieces(near, pieces_of_nodes(near, all_nodes(near)))).empty() &&
+                   make_motion_bound_packs(far, motion_pieces(far, pieces_of_nodes(far, all_nodes(far)))).empty());
   });
 }
 

@@ -41,7 +41,8 @@ ClusterTree::ClusterTree(const Character& character, const ClusterOptions& optio
       floats_(character.mesh, character.sets, vertices_) {
   const DefaultFloatEnvironment environment;
   check(options);
-  add_wide_node(part_of_node(0));
+  MotionPieceMerger merger(character);
+  add_wide_node(part_of_node(0), merger);
   pack_clusters();
 }
 
@@ -71,7 +72,7 @@ std::vector<int> ClusterTree::vertices_of(const Part& part) const {
 
 // The part with the most triangles is opened as long as it is too large for a cluster and there is room for its children. A root
 // that is a cluster is a wide node of itself.
-int ClusterTree::add_wide_node(const Part& part) {
+int ClusterTree::add_wide_node(const Part& part, MotionPieceMerger& merger) {
   const auto is_cluster = [&](const Part& p) { return p.triangle_count <= options_.most_triangles; };
   std::vector<Part> open{part};
   for (bool is_first = true;; is_first = false) {
@@ -91,11 +92,11 @@ int ClusterTree::add_wide_node(const Part& part) {
   for (const Part& p : open) vertices.push_back(vertices_of(p));
   const std::vector<SimplexPiece> pieces = pieces_of_vertices(*character_, vertices);
   wide_nodes_.push_back({static_cast<int>(children_.size()), static_cast<int>(open.size()), make_box_pieces(*character_, pieces),
-                         make_motion_bound_packs(*character_, pieces), pieces});
+                         make_motion_bound_packs(*character_, merger.pieces(vertices)), pieces});
   children_.resize(children_.size() + open.size());
   for (std::size_t i = 0; i < open.size(); ++i) {
     const WideNodeChild child = is_cluster(open[i]) ? WideNodeChild{add_cluster(open[i]), -1, open[i].node}
-                                                    : WideNodeChild{-1, add_wide_node(open[i]), open[i].node};
+                                                    : WideNodeChild{-1, add_wide_node(open[i], merger), open[i].node};
     children_[wide_nodes_[wide_node].first_child + i] = child;
     (child.cluster >= 0 ? clusters_[child.cluster].place : wide_nodes_[child.wide_node].place) = {wide_node, static_cast<int>(i)};
   }

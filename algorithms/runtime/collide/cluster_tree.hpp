@@ -15,7 +15,7 @@
 #include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/box_packs.hpp"
 #include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
-#include "algorithms/runtime/collide/motion_bound.hpp"
+#include "algorithms/runtime/collide/motion_piece_merger.hpp"
 
 namespace refitlab {
 
@@ -116,7 +116,7 @@ class ClusterTree {
   Part part_of_node(int node) const;
   std::vector<Part> children_of(const Part& part) const;
   std::vector<int> vertices_of(const Part& part) const;
-  int add_wide_node(const Part& part);
+  int add_wide_node(const Part& part, MotionPieceMerger& merger);
   int add_cluster(const Part& part);
   void pack_clusters();
 

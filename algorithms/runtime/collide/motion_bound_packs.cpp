@@ -46,22 +46,22 @@ void put_box(MotionBoundPiecePack& pack, int lane, int n, const Box<double>& box
 
 }  // namespace
 
-std::vector<MotionBoundPiecePack> make_motion_bound_packs(const Character& c, std::span<const SimplexPiece> pieces) {
+std::vector<MotionBoundPiecePack> make_motion_bound_packs(const Character& c, std::span<const MotionPiece> pieces) {
   const DefaultFloatEnvironment environment;
-  std::vector<const SimplexPiece*> sorted;
-  for (const SimplexPiece& p : pieces) {
-    if (p.low.size() > most_motion_bound_joints || !can_be_bounded(p.reference)) return {};
+  const auto joints_of = [&](const MotionPiece& p) { return c.sets.joints(p.joint_set); };
+  std::vector<const MotionPiece*> sorted;
+  for (const MotionPiece& p : pieces) {
+    if (joints_of(p).size() > most_motion_bound_joints || !can_be_bounded(p.reference)) return {};
     sorted.push_back(&p);
   }
-  std::stable_sort(sorted.begin(), sorted.end(), [](auto* a, auto* b) { return a->low.size() > b->low.size(); });
+  std::stable_sort(sorted.begin(), sorted.end(), [&](auto* a, auto* b) { return joints_of(*a).size() > joints_of(*b).size(); });
   std::vector<MotionBoundPiecePack> packs;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const SimplexPiece& p = *sorted[i];
+    const MotionPiece& p = *sorted[i];
     const int lane = static_cast<int>(i % motion_bound_lanes);
     if (lane == 0) packs.emplace_back();
-    const auto joints = c.sets.joints(p.joint_set);
-    const Point3 prior = center_prior(c.mesh, joints, Skinning::spherical);
-    put_lane(packs.back().ball, lane, joints, p.reference, (p.reference.center - prior).norm(), p.target);
+    const auto joints = joints_of(p);
+    put_lane(packs.back().ball, lane, joints, p.reference, p.to_prior, p.target);
     put_box(packs.back(), lane, static_cast<int>(joints.size()), p.box, p.reference);
   }
   return packs;

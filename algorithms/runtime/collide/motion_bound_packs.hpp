@@ -3,7 +3,7 @@
 #pragma once
 
 #include "algorithms/runtime/collide/motion_bound_piece_kernel.hpp"
-#include "algorithms/runtime/collide/simplex_pieces.hpp"
+#include "algorithms/runtime/collide/motion_pieces.hpp"
 
 namespace refitlab {
 
@@ -27,6 +27,6 @@ void put_lane(MotionBoundPack& pack, int lane, std::span<const int> joints, cons
 
 // Returns packs of all pieces, for any skinning but Hejl's, whose rotation centers are not the balls' centers. The result
 // is empty if a piece has too many joints or is too large.
-std::vector<MotionBoundPiecePack> make_motion_bound_packs(const Character& character, std::span<const SimplexPiece> pieces);
+std::vector<MotionBoundPiecePack> make_motion_bound_packs(const Character& character, std::span<const MotionPiece> pieces);
 
 }  // namespace refitlab

@@ -11,14 +11,6 @@
 namespace refitlab {
 namespace {
 
-// Returns a ball around the points. Its numbers are floats.
-Ball3<double> float_ball(const std::vector<Point3>& points) {
-  const Point3 center = smallest_ball<double, 3>(points).center.cast<float>().cast<double>();
-  double radius = 0;
-  for (const Point3& p : points) radius = std::max(radius, (p - center).norm());
-  return {center, float_above(radius * (1 + 1e-15))};
-}
-
 SimplexPiece piece_of(const Character& c, int joint_set, const std::vector<int>& vertices, int target) {
   const auto first = c.sets.weights(vertices[0]);
   std::vector<Point3> points;
@@ -33,6 +25,14 @@ SimplexPiece piece_of(const Character& c, int joint_set, const std::vector<int>&
 }
 
 }  // namespace
+
+Ball3<double> float_ball(const std::vector<Point3>& points) {
+  const DefaultFloatEnvironment environment;
+  const Point3 center = smallest_ball<double, 3>(points).center.cast<float>().cast<double>();
+  double radius = 0;
+  for (const Point3& p : points) radius = std::max(radius, (p - center).norm());
+  return {center, float_above(radius * (1 + 1e-15))};
+}
 
 std::vector<SimplexPiece> pieces_of_vertices(const Character& c, std::span<const std::vector<int>> lists) {
   const DefaultFloatEnvironment environment;

@@ -19,6 +19,9 @@ struct SimplexPiece {
   int target;               // the node's position in a list
 };
 
+// Returns a ball around the points. Its numbers are floats.
+Ball3<double> float_ball(const std::vector<Point3>& points);
+
 // Returns the pieces of the vertices in each list. The list's position is the target of its pieces. No list may be empty.
 std::vector<SimplexPiece> pieces_of_vertices(const Character& character, std::span<const std::vector<int>> lists);
 std::vector<SimplexPiece> pieces_of_nodes(const Character& character, std::span<const int> nodes);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// MotionPieces are what the motion bounds of nodes take one by one.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "algorithms/runtime/collide/simplex_pieces.hpp"
+
+namespace refitlab {
+
+struct MotionPiece {
+  int joint_set;            // it has the joints of all vertices
+  Ball3<double> reference;  // around the vertices in the reference pose; its numbers are floats
+  Box<double> box;          // likewise around them, but its numbers are doubles
+  double to_prior;          // the greatest distance from the ball's center to the prior of a vertex' rotation center
+  int target;               // the node's position in a list
+};
+
+// Returns pieces of one joint-set each.
+std::vector<MotionPiece> motion_pieces(const Character& character, std::span<const SimplexPiece> pieces);
+
+}  // namespace refitlab
