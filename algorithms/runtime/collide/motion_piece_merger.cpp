@@ -13,7 +13,7 @@ namespace refitlab {
 std::vector<Pose> compared_poses(const SkinnedMesh& mesh) {
   const DefaultFloatEnvironment environment;
   constexpr int count = 6;
-  constexpr double half_angle = 0.3;
+  constexpr double half_angle = 0.45;
   std::vector<Pose> out;
   for (int p = 0; p < count; ++p) {
     Pose& pose = out.emplace_back();
