@@ -6,8 +6,10 @@
 
 #include "algorithms/bake/bake.hpp"
 #include "algorithms/runtime/collide/crowd.hpp"
+#include "algorithms/runtime/collide/pose_change_kernel.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "experiments/scenes/animated_character.hpp"
+#include "lemmas/b9_pose_change.hpp"
 #include "proptests/gen/accepted.hpp"
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/refuses.hpp"
