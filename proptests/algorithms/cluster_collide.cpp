@@ -578,7 +578,7 @@ void two_walking_men(Suite& t) {
     };
     bool ok = true;
     std::string text;
-    for (const Most& most : {Most{0.6, 135, 100, 1000, 60}, Most{0.35, 660, 2960, 9400, 65}, Most{0.1, 1300, 7950, 16700, 78}}) {
+    for (const Most& most : {Most{0.6, 195, 100, 1000, 64}, Most{0.35, 760, 2960, 9400, 65}, Most{0.1, 1300, 7950, 16700, 78}}) {
       a.begin(men.at(0.2), {}), b.begin(men.at(0.7), moved(most.distance));
       QueryCounts counts;
       collide(a, b, Query::full, counts);

@@ -715,7 +715,7 @@ void refused_and_unusual_descriptions(Suite& t, const json& tube) {
       change.change(changed);
       const std::string message = refusal(changed.dump()), expected = "file.gltf: " + change.reason;
       const bool is_expected = expected.ends_with(": ") ? message.starts_with(expected) : message == expected;
-      if (!is_expected || message.ends_with("\\x0a")) wrong += "'" + message + "', not '" + expected + "'; ";
+      if (!is_expected || message.ends_with("\n")) wrong += "'" + message + "', not '" + expected + "'; ";
     }
     return Checked(wrong.empty(), static_cast<long>(refused_changes().size()), wrong);
   });
