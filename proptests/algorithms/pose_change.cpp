@@ -129,7 +129,7 @@ void how_much_larger(Suite& t) {
           growth += (box->extent() - before.extent()) / 6 / 100;
         }
         const bool deviates = skinning == Skinning::spherical || skinning == Skinning::dual_quaternion;
-        ok = ok && growth < (deviates ? 0.08 : 0.02) + (deviates ? 0.08 : 0.06) * steps && growth > 0;
+        ok = ok && growth < 0.005 + (deviates ? 0.08 : 0.03) * steps && growth > 0;
         text += (steps == 0 ? "/ " : "") + std::to_string(growth) + " ";
       }
     return Checked(ok, 1200, text);
