@@ -85,7 +85,8 @@ std::vector<MotionPieceMerger::BoxesByPose> MotionPieceMerger::boxes_of(std::vec
   std::vector<FlippedBox> flipped(pieces.size());
   std::vector<BoxesByPose> out(pieces.size());
   for (const Pose& pose : poses_) {
-    if (!bound_.place_checked(pose, {}) || !bound_.boxes(packs, pose, flipped)) return {};
+    bound_.box(pose, {}, Target::baseline);  // so that trees are the same on all processors
+    if (!bound_.boxes(packs, pose, flipped)) return {};
     for (std::size_t i = 0; i < pieces.size(); ++i) out[i].push_back(flipped[i].box());
   }
   return out;
