@@ -15,7 +15,7 @@
 #include "algorithms/runtime/batch/palette_packs.hpp"
 #include "algorithms/runtime/collide/box_packs.hpp"
 #include "algorithms/runtime/collide/cluster_pair_kernel.hpp"
-#include "algorithms/runtime/collide/motion_piece_merger.hpp"
+#include "algorithms/runtime/collide/motion_bound.hpp"
 
 namespace refitlab {
 
@@ -64,6 +64,8 @@ struct WayOfSkinning {
   MotionBound motion_bound;  // of which each body has a copy
   PalettePacks palettes;     // Joint-sets of clusters that are near each other are near each other in the packs.
 };
+
+class MotionPieceMerger;
 
 class ClusterTree {
  public:

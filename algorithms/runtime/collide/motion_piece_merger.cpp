@@ -44,8 +44,11 @@ struct MotionPieceMerger::Merge {
 
 MotionPieceMerger::MotionPieceMerger(const Character& character)
     : character_(character),
-      bound_(character.mesh, character.sets, Skinning::spherical),
-      poses_(compared_poses(character.mesh)) {}
+      poses_(compared_poses(character.mesh)),
+      bounds_(poses_.size(), MotionBound(character.mesh, character.sets, Skinning::spherical)) {
+  // The target is one that all processors have, so that trees are the same on all.
+  for (std::size_t i = 0; i < poses_.size(); ++i) bounds_[i].box(poses_[i], {}, Target::baseline);
+}
 
 std::vector<MotionPiece> MotionPieceMerger::pieces(std::span<const std::vector<int>> lists) {
   const DefaultFloatEnvironment environment;
@@ -84,9 +87,8 @@ std::vector<MotionPieceMerger::BoxesByPose> MotionPieceMerger::boxes_of(std::vec
   if (packs.empty()) return {};
   std::vector<FlippedBox> flipped(pieces.size());
   std::vector<BoxesByPose> out(pieces.size());
-  for (const Pose& pose : poses_) {
-    bound_.box(pose, {}, Target::baseline);  // so that trees are the same on all processors
-    if (!bound_.boxes(packs, pose, flipped)) return {};
+  for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
+    if (!bounds_[pose].boxes(packs, poses_[pose], flipped)) return {};
     for (std::size_t i = 0; i < pieces.size(); ++i) out[i].push_back(flipped[i].box());
   }
   return out;

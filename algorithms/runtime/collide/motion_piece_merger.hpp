@@ -39,8 +39,8 @@ class MotionPieceMerger {
   void merge(std::vector<Part>& parts);
 
   const Character& character_;
-  MotionBound bound_;
   std::vector<Pose> poses_;
+  std::vector<MotionBound> bounds_;  // of each pose, which places its joints
 };
 
 }  // namespace refitlab
