@@ -15,6 +15,7 @@
 #include "proptests/gen/random_pose.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness/harness.hpp"
+#include "proptests/oracles/motion_pieces.hpp"
 #include "proptests/oracles/placed_box.hpp"
 #include "proptests/oracles/placed_vertices.hpp"
 
@@ -42,14 +43,13 @@ struct NodeMotionBound {
         turned(count),
         boxes(count) {}
   NodeMotionBound(const Character& c, const std::vector<int>& nodes)
-      : NodeMotionBound(make_motion_bound_packs(c, motion_pieces(c, pieces_of_nodes(c, nodes))), nodes.size()) {}
+      : NodeMotionBound(make_motion_bound_packs(c, oracle::motion_pieces(c, pieces_of_nodes(c, nodes))), nodes.size()) {}
   // Makes those of all nodes, of which pieces are merged or not.
   NodeMotionBound(const Character& c, Kind kind)
       : NodeMotionBound(make_motion_bound_packs(c, pieces(c, kind)), c.tree.nodes.size()) {}
   static std::vector<MotionPiece> pieces(const Character& c, Kind kind) {
-    std::vector<std::vector<int>> lists;
-    for (std::size_t n = 0; n < c.tree.nodes.size(); ++n) lists.emplace_back(c.vertices[n].begin(), c.vertices[n].end());
-    return kind == Kind::merged ? MotionPieceMerger(c).pieces(lists) : motion_pieces(c, pieces_of_vertices(c, lists));
+    const auto lists = oracle::vertices_of_nodes(c);
+    return kind == Kind::merged ? MotionPieceMerger(c).pieces(lists) : oracle::motion_pieces(c, pieces_of_vertices(c, lists));
   }
 
   // Bounds the nodes. Returns false if nothing is known of one of them.
@@ -353,7 +353,7 @@ void tiny_models_and_tight_boxes(Suite& t) {
           std::vector<int> nodes;
           for (int n = 0; n < std::min(20, static_cast<int>(c.tree.nodes.size())); ++n) nodes.push_back(n);
           auto pieces = pieces_of_nodes(c, nodes);
-          const auto packs = make_motion_bound_packs(c, motion_pieces(c, pieces));
+          const auto packs = make_motion_bound_packs(c, oracle::motion_pieces(c, pieces));
           std::stable_sort(pieces.begin(), pieces.end(),
                            [](const SimplexPiece& p, const SimplexPiece& q) { return p.low.size() > q.low.size(); });
           for (std::size_t i = 0; i < packs.size() * motion_bound_lanes; ++i, ++lanes) {
@@ -419,8 +419,7 @@ void rods_half_turns_and_what_has_no_pack(Suite& t) {
     const auto near = bake(model);
     for (Point3& v : model.vertices) v *= 1e25;
     const auto far = bake(model);
-    return Checked(!make_motion_bound_packs(near, motion_pieces(near, pieces_of_nodes(near, all_nodes(near)))).empty() &&
-                   make_motion_bound_packs(far, motion_pieces(far, pieces_of_nodes(far, all_nodes(far)))).empty());
+    return Checked(!NodeMotionBound(near, all_nodes(near)).packs.empty() && NodeMotionBound(far, all_nodes(far)).packs.empty());
   });
 }
 

@@ -11,6 +11,7 @@
 #include "experiments/scenes/animated_character.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness/harness.hpp"
+#include "proptests/oracles/motion_pieces.hpp"
 #include "proptests/oracles/placed_vertices.hpp"
 
 namespace proptests::suite_motion_piece_merger {
@@ -18,12 +19,6 @@ namespace {
 
 using namespace refitlab;
 using Lists = std::vector<std::vector<int>>;
-
-Lists lists_of_nodes(const Character& c) {
-  Lists out;
-  for (std::size_t n = 0; n < c.tree.nodes.size(); ++n) out.emplace_back(c.vertices[n].begin(), c.vertices[n].end());
-  return out;
-}
 
 bool has_joints_of(const Character& c, const MotionPiece& piece, int vertex) {
   const auto many = c.sets.joints(piece.joint_set), few = c.sets.joints(c.sets.of_vertex(vertex));
@@ -57,8 +52,9 @@ void merged_pieces_bound_all(Suite& t) {
           {.number_type = "double", .cases = 300, .degenerate_at_least = 0.3, .tags_at_least = {{"merged", 0.2}}}, [] {
             const auto plan = gen::classified_plan();
             const auto c = bake(gen::make_mesh(plan), {.triangles_per_leaf = *rc::gen::element(1, 10)});
-            const Lists lists = lists_of_nodes(c);
-            const auto merged = MotionPieceMerger(c).pieces(lists), single = motion_pieces(c, pieces_of_vertices(c, lists));
+            const Lists lists = oracle::vertices_of_nodes(c);
+            const auto merged = MotionPieceMerger(c).pieces(lists),
+                       single = oracle::motion_pieces(c, pieces_of_vertices(c, lists));
             RC_TAG(merged.size() < single.size() ? "merged" : "not merged");
             RC_ASSERT(merged.size() <= single.size());
             for (std::size_t list = 0; list < lists.size(); ++list)
@@ -90,7 +86,7 @@ void what_is_merged(Suite& t) {
     mesh.influences[0] = {{0, 0.5}};
     for (int j = 1; j < 9; ++j) mesh.influences[0].push_back({j, 1.0 / 16});
     const auto c = bake(mesh);
-    const Lists lists{lists_of_nodes(c)[0]};
+    const Lists lists{oracle::vertices_of_nodes(c)[0]};
     const auto merged = MotionPieceMerger(c).pieces(lists);
     return merged.size() == pieces_of_vertices(c, lists).size() && make_motion_bound_packs(c, merged).empty();
   });

@@ -2,8 +2,12 @@
 // These are the packs for the kernel of MotionBound. A lane holds a whole group of joint-sets, or a piece of a node.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "algorithms/runtime/collide/motion_bound_piece_kernel.hpp"
-#include "algorithms/runtime/collide/motion_pieces.hpp"
+#include "algorithms/runtime/collide/motion_piece.hpp"
+#include "algorithms/runtime/tree/character.hpp"
 
 namespace refitlab {
 

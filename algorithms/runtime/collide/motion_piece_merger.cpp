@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "algorithms/runtime/skinning/rotation_center.hpp"
@@ -30,15 +29,16 @@ std::vector<Pose> compared_poses(const SkinnedMesh& mesh) {
 
 // A Part may become one of a list's pieces.
 struct MotionPieceMerger::Part {
-  int joint_set;
   std::vector<int> vertices;
+  MotionPiece piece;
   BoxesByPose boxes;
   bool is_merged = false;  // into another one
 };
 
-// A Merge of one part into another one, by their positions, would have these boxes.
+// A Merge of one part into another one, by their positions, would make this of the latter.
 struct MotionPieceMerger::Merge {
   std::size_t from, into;
+  MotionPiece piece;
   BoxesByPose boxes;
 };
 
@@ -58,7 +58,7 @@ std::vector<MotionPiece> MotionPieceMerger::pieces(std::span<const std::vector<i
     merge(parts);
     for (const Part& part : parts) {
       if (part.is_merged) continue;
-      out.push_back(piece_of(part.joint_set, part.vertices));
+      out.push_back(part.piece);
       out.back().target = static_cast<int>(list);
     }
   }
@@ -95,15 +95,13 @@ std::vector<MotionPieceMerger::BoxesByPose> MotionPieceMerger::boxes_of(std::vec
 }
 
 std::vector<MotionPieceMerger::Part> MotionPieceMerger::parts_of(std::span<const int> vertices) const {
-  std::map<int, std::vector<int>> by_set;
-  for (const int v : vertices) by_set[character_.sets.of_vertex(v)].push_back(v);
   std::vector<Part> out;
-  for (auto& [set, list] : by_set) out.push_back({set, std::move(list), {}});
+  for (const auto& [set, list] : by_joint_set(character_.sets, vertices)) out.push_back({list, piece_of(set, list), {}});
   return out;
 }
 
 bool MotionPieceMerger::is_within(const Part& a, const Part& b) const {
-  const auto few = character_.sets.joints(a.joint_set), many = character_.sets.joints(b.joint_set);
+  const auto few = character_.sets.joints(a.piece.joint_set), many = character_.sets.joints(b.piece.joint_set);
   return &a != &b && !a.is_merged && !b.is_merged && std::includes(many.begin(), many.end(), few.begin(), few.end());
 }
 
@@ -113,10 +111,10 @@ void MotionPieceMerger::add_merges(const std::vector<Part>& parts, std::span<con
   for (const auto& [from, into] : pairs) {
     std::vector<int> both = parts[into].vertices;
     both.insert(both.end(), parts[from].vertices.begin(), parts[from].vertices.end());
-    pieces.push_back(piece_of(parts[into].joint_set, both));
+    pieces.push_back(piece_of(parts[into].piece.joint_set, both));
   }
-  const auto boxes = boxes_of(std::move(pieces));
-  for (std::size_t i = 0; i < boxes.size(); ++i) merges.push_back({pairs[i].first, pairs[i].second, boxes[i]});
+  const auto boxes = boxes_of(pieces);
+  for (std::size_t i = 0; i < boxes.size(); ++i) merges.push_back({pairs[i].first, pairs[i].second, pieces[i], boxes[i]});
 }
 
 // Returns the extents of the box around all parts, summed up over the poses, as it would be after a merge.
@@ -134,7 +132,7 @@ double MotionPieceMerger::size_with(const std::vector<Part>& parts, const Merge*
 // Merges parts as long as their common box does not become too large, each time those that let it grow least.
 void MotionPieceMerger::merge(std::vector<Part>& parts) {
   std::vector<MotionPiece> single;
-  for (const Part& part : parts) single.push_back(piece_of(part.joint_set, part.vertices));
+  for (const Part& part : parts) single.push_back(part.piece);
   const auto boxes = boxes_of(std::move(single));
   if (boxes.empty()) return;
   for (std::size_t i = 0; i < parts.size(); ++i) parts[i].boxes = boxes[i];
@@ -153,6 +151,7 @@ void MotionPieceMerger::merge(std::vector<Part>& parts) {
     const Merge best = merges[static_cast<std::size_t>(least - sizes.begin())];
     Part &from = parts[best.from], &into = parts[best.into];
     into.vertices.insert(into.vertices.end(), from.vertices.begin(), from.vertices.end());
+    into.piece = best.piece;
     into.boxes = best.boxes, from.is_merged = true;
     const auto is_old = [&](std::size_t part) { return part == best.from || part == best.into; };
     std::erase_if(merges, [&](const Merge& m) { return is_old(m.from) || is_old(m.into); });

@@ -2,7 +2,6 @@
 #include "algorithms/runtime/collide/simplex_pieces.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "algorithms/runtime/packs/float_above.hpp"
@@ -34,15 +33,18 @@ Ball3<double> float_ball(const std::vector<Point3>& points) {
   return {center, float_above(radius * (1 + 1e-15))};
 }
 
+std::map<int, std::vector<int>> by_joint_set(const JointSets& sets, std::span<const int> vertices) {
+  std::map<int, std::vector<int>> out;
+  for (const int v : vertices) out[sets.of_vertex(v)].push_back(v);
+  return out;
+}
+
 std::vector<SimplexPiece> pieces_of_vertices(const Character& c, std::span<const std::vector<int>> lists) {
   const DefaultFloatEnvironment environment;
   std::vector<SimplexPiece> pieces;
-  std::map<int, std::vector<int>> by_set;
-  for (std::size_t target = 0; target < lists.size(); ++target) {
-    by_set.clear();
-    for (const int v : lists[target]) by_set[c.sets.of_vertex(v)].push_back(v);
-    for (const auto& [set, vertices] : by_set) pieces.push_back(piece_of(c, set, vertices, static_cast<int>(target)));
-  }
+  for (std::size_t target = 0; target < lists.size(); ++target)
+    for (const auto& [set, vertices] : by_joint_set(c.sets, lists[target]))
+      pieces.push_back(piece_of(c, set, vertices, static_cast<int>(target)));
   return pieces;
 }
 

@@ -2,10 +2,8 @@
 // MotionPieces are what the motion bounds of nodes take one by one.
 #pragma once
 
-#include <span>
-#include <vector>
-
-#include "algorithms/runtime/collide/simplex_pieces.hpp"
+#include "algorithms/runtime/balls/box.hpp"
+#include "lemmas/vocabulary/sphere.hpp"
 
 namespace refitlab {
 
@@ -16,8 +14,5 @@ struct MotionPiece {
   double to_prior;          // the greatest distance from the ball's center to the prior of a vertex' rotation center
   int target;               // the node's position in a list
 };
-
-// Returns pieces of one joint-set each.
-std::vector<MotionPiece> motion_pieces(const Character& character, std::span<const SimplexPiece> pieces);
 
 }  // namespace refitlab
