@@ -2,12 +2,15 @@
 #include "algorithms/bake/build_tree.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 
 #include "algorithms/bake/weight_vertices.hpp"
+#include "algorithms/runtime/balls/box.hpp"
 #include "algorithms/runtime/balls/round_up.hpp"
 #include "algorithms/runtime/balls/smallest_ball.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
@@ -22,6 +25,9 @@ struct BinaryNode {
   int children[2] = {-1, -1};
   bool is_leaf() const { return children[0] < 0; }
 };
+
+// A child has at least one of so many triangles of its parent's, so that trees are not deep.
+constexpr int least_share = 4;
 
 class Builder {
  public:
@@ -54,18 +60,41 @@ class Builder {
     binary_.push_back({rounded_up(as_ball(smallest_ball<double, 3>(points))), first, count});
     if (count <= options_.triangles_per_leaf) return index;
 
-    const auto range = triangles(first, count);
-    Point3 low = centroids_[range[0]], high = low;
-    for (const int t : range) low = low.cwiseMin(centroids_[t]), high = high.cwiseMax(centroids_[t]);
-    int axis;
-    (high - low).maxCoeff(&axis);
-    std::nth_element(range.begin(), range.begin() + count / 2, range.end(),
-                     [&](int a, int b) { return std::pair(centroids_[a][axis], a) < std::pair(centroids_[b][axis], b); });
-    const int left = split(first, count / 2);
-    const int right = split(first + count / 2, count - count / 2);
+    const int left_count = part(triangles(first, count));
+    const int left = split(first, left_count);
+    const int right = split(first + left_count, count - left_count);
     binary_[index].children[0] = left;
     binary_[index].children[1] = right;
     return index;
+  }
+
+  // Orders the triangles so that those of the left child come first, and returns how many these are.
+  int part(std::span<int> range) const {
+    const int count = static_cast<int>(range.size()), least = std::max(1, count / least_share);
+    std::vector<int> order(range.begin(), range.end());
+    std::vector<double> extents_from(range.size());  // of what is from a place on
+    std::pair best(std::numeric_limits<double>::infinity(), count);
+    int left_count = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::sort(order.begin(), order.end(),
+                [&](int a, int b) { return std::pair(centroids_[a][axis], a) < std::pair(centroids_[b][axis], b); });
+      Box<double> left = Box<double>::empty(), right = Box<double>::empty();
+      for (int i = count - 1; i >= least; --i) merge(order[i], right), extents_from[i] = right.extent();
+      bool is_best = false;
+      for (int i = 1; i <= count - least; ++i) {
+        merge(order[i - 1], left);
+        if (i < least) continue;
+        // If costs are the same, as where all are infinite, the halves are to be as equal as can be.
+        const std::pair cost(i * left.extent() + (count - i) * extents_from[i], std::abs(count - 2 * i));
+        if (cost < best) best = cost, left_count = i, is_best = true;
+      }
+      if (is_best) std::copy(order.begin(), order.end(), range.begin());
+    }
+    return left_count;
+  }
+
+  void merge(int triangle, Box<double>& box) const {
+    for (const int v : mesh_.triangles[triangle]) box.merge(mesh_.vertices[v]);
   }
 
   // Appends the binary nodes that become the children of one with this radius. They are those that stay, in order.

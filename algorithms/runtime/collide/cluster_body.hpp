@@ -14,7 +14,7 @@ namespace refitlab {
 class ClusterBody {
  public:
   // A body of which a query has skinned so many clusters touches another one, or nearly does.
-  static constexpr int least_clusters_of_contact = 8;
+  static constexpr int least_clusters_of_contact = 12;
 
   // tree must outlive this.
   ClusterBody(const ClusterTree& tree, Skinning skinning);

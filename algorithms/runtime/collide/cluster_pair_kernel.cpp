@@ -139,22 +139,17 @@ REFITLAB_KERNEL int keep(int count, const Box<float>& box, const CandidateArrays
   return kept;
 }
 
-// Calls with(k) for the candidates whose boxes may meet the given one: with packs of at most eight lanes for these alone, as the given
-// box, around one pack, is met rarely; with wider packs for all candidates, as to look for these gained nothing there.
+// Calls with(k) for the candidates whose boxes meet the given one.
 template <class With>
-void for_each_near(const Sides& sides, int count, [[maybe_unused]] const Box<S>& box, const With& with) {
-  if constexpr (width > 8) {
-    for (int k = 0; k < count; ++k) with(k);
-  } else {
-    constexpr int at_once = 32 * width;
-    std::int32_t near[at_once];
-    for (int begin = 0; begin < count; begin += at_once) {
-      const int end = std::min(count, begin + at_once);
-      int found = 0;
-      for (int first = begin; first < end; first += width)
-        found += write_lanes(meeting_lanes(sides, first, box) & first_lanes(end - first), first, near + found);
-      for (int n = 0; n < found; ++n) with(near[n]);
-    }
+void for_each_near(const Sides& sides, int count, const Box<S>& box, const With& with) {
+  constexpr int at_once = 32 * width;
+  std::int32_t near[at_once];
+  for (int begin = 0; begin < count; begin += at_once) {
+    const int end = std::min(count, begin + at_once);
+    int found = 0;
+    for (int first = begin; first < end; first += width)
+      found += write_lanes(meeting_lanes(sides, first, box) & first_lanes(end - first), first, near + found);
+    for (int n = 0; n < found; ++n) with(near[n]);
   }
 }
 

@@ -24,7 +24,7 @@ inline constexpr int most_cluster_triangles = (1 << 16) / (3 * Lanes<float>::cou
 
 struct ClusterOptions {
   int most_triangles = 256;  // triangles of a cluster; from 1 to most_cluster_triangles
-  int most_children = 20;  // of a wide node, at least 2; but a node of the sphere tree that has more makes a wide node of its own
+  int most_children = 48;  // of a wide node, at least 2; but a node of the sphere tree that has more makes a wide node of its own
 };
 
 // A ChildPlace is that of a cluster or a wide node: it is a child of another wide node.

@@ -15,7 +15,7 @@ std::vector<Pose> compared_poses(const SkinnedMesh& mesh);
 class MotionPieceMerger {
  public:
   // The box of a node grows by no more than this share, in the mean of the compared poses.
-  static constexpr double most_growth = 0.02;
+  static constexpr double most_growth = 0.005;
 
   // character must outlive this.
   explicit MotionPieceMerger(const Character& character);
