@@ -84,7 +84,7 @@ class Builder {
       for (int i = 1; i <= count - least; ++i) {
         merge(order[i - 1], left);
         if (i < least) continue;
-        // If costs are the same, as where all are infinite, the halves are to be as equal as can be.
+        // If costs are the same, as where no triangles differ, the sides are to be as equal as can be.
         const std::pair cost(i * left.extent() + (count - i) * extents_from[i], std::abs(count - 2 * i));
         if (cost < best) best = cost, left_count = i, is_best = true;
       }

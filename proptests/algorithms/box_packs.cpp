@@ -345,7 +345,7 @@ PROPTEST(box_packs) {
           bounded += width(first[n], i), exact += high - low;
           ++looked_at;
         }
-      ok = ok && bounded >= exact && bounded < 1.38 * exact;
+      ok = ok && bounded >= exact && bounded < 1.39 * exact;
       text += (text.empty() ? "sum of widths over that of the vertices' own boxes: " : ", ") + std::to_string(bounded / exact);
     }
     return Checked(ok, looked_at, text);

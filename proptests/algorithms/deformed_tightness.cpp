@@ -53,9 +53,9 @@ PROPTEST(deformed_tightness) {
   const auto defaults = {"linear_mixed", "control_mixed", "dual_quaternion_mixed"};
   const DeformingCharacters man(make_man());
   const Options options{.number_type = "double"};
-  t.example("the default variants' balls of the man, scaled and morphed, are on no level by more than 12 % too large", options,
+  t.example("the default variants' balls of the man, scaled and morphed, are on no level by more than 14 % too large", options,
             [&] {
-              return check(man, defaults, {scaled_kind, scaled_along_axes_kind, morphed_kind, both_kind}, 1.05, 1.12);
+              return check(man, defaults, {scaled_kind, scaled_along_axes_kind, morphed_kind, both_kind}, 1.05, 1.14);
             });
   t.example(
       "the tightest variant's balls of the man, scaled and morphed, are on no level by more than 3.5 % too large", options, [&] {

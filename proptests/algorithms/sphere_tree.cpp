@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/runtime/tree/sphere_tree.hpp"
 
+#include <algorithm>
 #include <ctime>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -20,6 +22,7 @@ using namespace refitlab;
 
 // It is a prune ratio that keeps all nodes.
 constexpr double keep_all = 1e300;
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 std::set<int> vertices_below(const SphereTree& tree, const SkinnedMesh& model, const TreeNode& n) {
   std::set<int> out;
@@ -149,25 +152,55 @@ std::string pruning_fault(const SphereTree& pruned, const SphereTree& binary, do
   return found == kept.size() ? "" : "nodes that the binary tree does not have";
 }
 
-// Returns a fault unless each node is halved at the median of the centroids along their longest extent.
+// Returns the sum of the edges of the box around the first i triangles, for each i.
+std::vector<double> extents_of_first(const SkinnedMesh& model, const std::vector<int>& triangles) {
+  std::vector<double> out{0};
+  Point3 low = Point3::Constant(unbounded), high = -low;
+  for (const int t : triangles) {
+    for (const int v : model.triangles[t]) low = low.cwiseMin(model.vertices[v]), high = high.cwiseMax(model.vertices[v]);
+    out.push_back((high - low).sum());
+  }
+  return out;
+}
+
+// Returns the cost of each way to split the triangles in their order, by how many come first. What leaves less than a quarter of
+// them on a side costs infinitely much.
+std::vector<double> split_costs(const SkinnedMesh& model, std::vector<int> triangles) {
+  const std::size_t n = triangles.size(), least = std::max<std::size_t>(1, n / 4);
+  const auto left = extents_of_first(model, triangles);
+  std::reverse(triangles.begin(), triangles.end());
+  const auto right = extents_of_first(model, triangles);
+  std::vector<double> out(n + 1, unbounded);
+  for (std::size_t i = least; i + least <= n; ++i)
+    out[i] = static_cast<double>(i) * left[i] + static_cast<double>(n - i) * right[n - i];
+  return out;
+}
+
+// Returns a fault unless each node is split in two where it costs least, to within rounding, along the axis where it does.
 std::string split_fault(const SphereTree& binary, const SkinnedMesh& model) {
-  const auto centroid = [&](int k) {
-    const Triangle& t = model.triangles[binary.triangle_order[k]];
+  const auto centroid = [&](int triangle) {
+    const Triangle& t = model.triangles[triangle];
     return Point3((model.vertices[t[0]] + model.vertices[t[1]] + model.vertices[t[2]]) / 3);
   };
   for (const TreeNode& n : binary.nodes) {
     if (n.child_count == 0) continue;
-    const TreeNode& left = binary.nodes[n.first_child];
-    if (n.child_count != 2 || left.triangle_count != n.triangle_count / 2) return "halves";
-    const int middle = left.first_triangle + left.triangle_count, end = n.first_triangle + n.triangle_count;
-    Point3 low = centroid(n.first_triangle), high = low;
-    for (int k = n.first_triangle; k < end; ++k) low = low.cwiseMin(centroid(k)), high = high.cwiseMax(centroid(k));
-    int axis;
-    (high - low).maxCoeff(&axis);
-    double left_most = low[axis], right_least = high[axis];
-    for (int k = n.first_triangle; k < middle; ++k) left_most = std::max(left_most, centroid(k)[axis]);
-    for (int k = middle; k < end; ++k) right_least = std::min(right_least, centroid(k)[axis]);
-    if (left_most > right_least) return "not split at the median";
+    if (n.child_count != 2) return "halves";
+    const auto first = binary.triangle_order.begin() + n.first_triangle;
+    std::vector<int> triangles(first, first + n.triangle_count);
+    const int of_left = binary.nodes[n.first_child].triangle_count;
+    const double own = split_costs(model, triangles)[of_left];
+    double least = unbounded;
+    bool is_sorted = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto is_less = [&](int a, int b) { return std::pair(centroid(a)[axis], a) < std::pair(centroid(b)[axis], b); };
+      is_sorted = is_sorted || !is_less(*std::min_element(triangles.begin() + of_left, triangles.end(), is_less),
+                                        *std::max_element(triangles.begin(), triangles.begin() + of_left, is_less));
+      auto sorted = triangles;
+      std::sort(sorted.begin(), sorted.end(), is_less);
+      for (const double cost : split_costs(model, sorted)) least = std::min(least, cost);
+    }
+    if (!is_sorted) return "not split along an axis";
+    if (!(own <= least * (1 + 1e-12))) return "split where it costs more, or too far from the middle";
   }
   return "";
 }
@@ -223,6 +256,19 @@ PROPTEST(sphere_tree) {
                 RC_ASSERT(n.reference.radius <= options.prune_ratio * tree.nodes[n.parent].reference.radius);
             }
           });
+  t.example("triangles that no split tells apart are halved", {}, [] {
+    SkinnedMesh model;
+    model.name = "triangles";
+    model.joints = {{"only", -1, {0, 0, 0}}};
+    bool ok = true;
+    for (const double size : {0.0, 1.0, 1e40}) {
+      model.vertices = {{-size, 0, 0}, {size, 0, 0}, {0, size, 0}};
+      model.influences.assign(3, {{0, 1}});
+      model.triangles.assign(37, {0, 1, 2});
+      for (const TreeNode& n : build_sphere_tree(model, JointSets(model), {1, keep_all}).nodes) ok = ok && n.level <= 7;
+    }
+    return ok;
+  });
   t.example("a leaf without triangles is refused", {}, [] {
     const SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 3, 3, 1, 1});
     try {
