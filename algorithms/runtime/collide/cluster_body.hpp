@@ -64,12 +64,11 @@ class ClusterBody {
   // Returns a box around the whole body, seen likewise.
   const Box<float>& box() { return is_all_skinned() ? clusters_.box_around_all() : wide_node_box(0); }
 
-  // Cuts the bound of a cluster that a query has skinned to its vertices' box, if clusters are skinned rather than bounded; and
-  // from several such clusters on, they are, unless the body is shared.
+  // Cuts the bound of a cluster that a query has skinned to its vertices' box, so that less of the other body need be skinned. From
+  // several such clusters on, clusters are skinned rather than bounded. Nothing changes if the body is shared.
   void tighten(int cluster) {
-    if (is_all_skinned()) return;  // boxes are around skinned vertices already
-    if (!is_shared_ && clusters_.clusters_skinned() >= least_clusters_of_contact && is_skinned_in_float()) skin_rather();
-    if (!is_rather_skinned_) return;
+    if (is_shared_ || is_all_skinned()) return;  // in the latter case, boxes are around skinned vertices already
+    if (clusters_.clusters_skinned() >= least_clusters_of_contact && is_skinned_in_float()) skin_rather();
     cut_box(tree_.clusters()[cluster].place, clusters_.cluster(cluster).box);
   }
   // Says that queries of this frame may come in any order, and that its boxes must not depend on that.
