@@ -54,7 +54,7 @@ and {from_to(paper_numbers.cost_ratios(results, 'control_many_pieces'))} for `co
 {from_to(paper_numbers.fewer_spheres(results))} times as many spheres as with `control_mixed`. But those of `control_mixed` are mostly on the upper levels of the tree, where a sphere costs up to {digits(upper, 2)} times as much. A whole query, far ones too, takes
 {digits(slower.least, 2)} to {digits(slower.most, 2)} times as long as with `spherical_repaired`. In batches of SIMD packs (`algorithms/runtime/batch`), refitting all spheres of a tree by Algorithm 1 repaired costs
 with AVX-512 1/{min(gains):.0f} to 1/{max(gains):.0f} of refitting them one by one, in float in place of double. A ball alone cannot be that fast: the longest chain of its operations, each of which waits
-for the one before, takes {from_to(paper_numbers.chain_shares(results))} of the time. But a query needs no ball alone. The up to 20 nodes into which it opens one are bounded together, by the motion
+for the one before, takes {from_to(paper_numbers.chain_shares(results))} of the time. But a query needs no ball alone. The up to 48 nodes into which it opens one are bounded together, by the motion
 bound, at 1/{min(opened):.0f} to 1/{max(opened):.0f} of refitting them one by one.
 """
 
