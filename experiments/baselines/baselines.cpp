@@ -13,6 +13,7 @@ std::vector<DetectorKind> baseline_kinds() {
        "skins everything in float, clusters of 256 triangles with their boxes; clusters whose boxes meet are compared in float, "
        "and only what that leaves unknown is decided on vertices in double",
        baseline, make_skin_all_float},
+      {"skin_all_float_384", "the same with clusters of 384 triangles", baseline, make_skin_all_float_384},
       {"skin_all_float_512",
        "the same with clusters of 512 triangles, which are fewer to skin and to compare, but more loosely boxed", baseline,
        make_skin_all_float_512},

@@ -55,6 +55,9 @@ class SkinAllFloat : public Detector {
 std::unique_ptr<Detector> make_skin_all_float(const Character& character) {
   return std::make_unique<SkinAllFloat>(character, ClusterOptions{});
 }
+std::unique_ptr<Detector> make_skin_all_float_384(const Character& character) {
+  return std::make_unique<SkinAllFloat>(character, ClusterOptions{.most_triangles = 384});
+}
 std::unique_ptr<Detector> make_skin_all_float_512(const Character& character) {
   return std::make_unique<SkinAllFloat>(character, ClusterOptions{.most_triangles = 512});
 }

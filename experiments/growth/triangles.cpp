@@ -16,16 +16,10 @@ namespace {
 
 constexpr const char* scene_names[] = {"far", "near", "light", "heavy"};
 constexpr const char* reference = "skin_all_float";
-constexpr const char* detectors[] = {"clusters",
-                                     "clusters_without_memory",
-                                     "spherical_repaired",
-                                     "control_mixed",
-                                     "control_mixed_through_descendants",
-                                     reference,
-                                     "skin_all_float_512",
-                                     "embree",
-                                     "floor_of_contacts",
-                                     "floor_of_boxes"};
+constexpr const char* detectors[] = {
+    "clusters",      "clusters_without_memory", "spherical_repaired", "control_mixed", "control_mixed_through_descendants",
+    reference,       "skin_all_float_384",      "skin_all_float_512", "embree",        "floor_of_contacts",
+    "floor_of_boxes"};
 
 // The man is made with so many triangles, and then subdivided so many times.
 struct Size {

@@ -85,6 +85,7 @@ def headline_section(results, page):
         return [model.value(scene, "full", detector) for scene in model.scenes]
     ours = times("clusters")
     rows = [("skin everything in float", times("skin_all_float")),
+            ("the same with clusters of 384 triangles", times("skin_all_float_384")),
             ("the same with clusters of 512 triangles", times("skin_all_float_512")),
             ("the same behind a test of whole-character boxes", times("skin_all_float_bounded")),
             ("the fastest engine of each scene", [model.fastest_engine(scene) for scene in model.scenes]),

@@ -289,7 +289,8 @@ def rounding_table(results):
 
 def collision_table(results):
     names = [("clusters", "clusters (ours)"), ("spherical_repaired", "spheres on demand, repaired"),
-             ("control_mixed", "spheres on demand, default"), None, ("skin_all_float", "skin all in float, boxes"), ("skin_all_float_512", "the same, clusters of 512"),
+             ("control_mixed", "spheres on demand, default"), None, ("skin_all_float", "skin all in float, boxes"), ("skin_all_float_384", "the same, clusters of 384"),
+             ("skin_all_float_512", "the same, clusters of 512"),
              ("aabb_tree", "skin all, boxes bottom-up"), ("brown", "skin all, spheres bottom-up \\cite{Brown2001}"),
              ("embree", "Embree"), ("bullet_gimpact", "Bullet GImpact"), ("fcl_aabb", "FCL, boxes"),
              ("fcl_obbrss", "FCL, OBB-RSS"), None]
