@@ -529,7 +529,7 @@ void when_clusters_are_rather_skinned(Suite& t) {
       });
   t.example("a body of which a query has skinned several clusters in float rather skins from then on, in that frame", {}, [] {
     const auto man = bake_animated(make_man());
-    const ClusterTree tree(man);
+    const ClusterTree tree(man, {.most_triangles = 64, .most_children = 20});
     int leaf = static_cast<int>(tree.wide_nodes().size()) - 1;
     while (!has_only_clusters(tree, leaf)) --leaf;
     constexpr int several = ClusterBody::least_clusters_of_contact;

@@ -13,8 +13,8 @@ namespace refitlab {
 
 class ClusterBody {
  public:
-  // A body of which a query has skinned so many clusters touches another one, or nearly does.
-  static constexpr int least_clusters_of_contact = 12;
+  // Once a query has skinned so many clusters of a body, bounds of the others spare little.
+  static constexpr int least_clusters_of_contact = 60;
 
   // tree must outlive this.
   ClusterBody(const ClusterTree& tree, Skinning skinning);
