@@ -480,6 +480,29 @@ void when_clusters_are_rather_skinned(Suite& t) {
     const auto count = static_cast<long>(tree.wide_nodes().size());
     return Checked(wrong == 0 && skinned > 0 && skinned < 3 * count, frames * count, std::to_string(skinned) + " are skinned");
   });
+  t.example("a body of which a query has skinned several clusters in float rather skins from then on, in that frame", {}, [] {
+    const auto man = bake_animated(make_man());
+    const ClusterTree tree(man, {.most_triangles = 64, .most_children = 20});
+    int leaf = static_cast<int>(tree.wide_nodes().size()) - 1;
+    while (!has_only_clusters(tree, leaf)) --leaf;
+    constexpr int several = ClusterBody::least_clusters_of_contact;
+    long wrong = 0, frames = 0;
+    for (const Skinning skinning : {Skinning::spherical, Skinning::linear}) {
+      ClusterBody body(tree, skinning);
+      for (const int count : {several, several - 1, several, 1}) {
+        body.begin(man.clips[0].sample(0.1), {});
+        for (int c = 0; c < count; ++c) body.clusters().cluster(c);
+        body.tighten(0);
+        body.wide_node_box(leaf);
+        const bool is_skinned = skinning == Skinning::spherical && count == several;
+        wrong += body.nodes_bounded() != (is_skinned ? 0 : tree.wide_nodes()[leaf].child_count), ++frames;
+      }
+    }
+    return Checked(wrong == 0 && leaf > 0, frames);
+  });
+}
+
+void what_is_skinned_cuts_bounds(Suite& t) {
   t.example(
       "where it does, the parent's bound is cut to the box around what was skinned; a query cuts that of a cluster, unless the "
       "body is "
@@ -527,26 +550,6 @@ void when_clusters_are_rather_skinned(Suite& t) {
         return Checked(wrong == 0 && deep > 10 && boxes > cut + 10, boxes,
                        std::to_string(wrong) + " wrong, " + std::to_string(deep));
       });
-  t.example("a body of which a query has skinned several clusters in float rather skins from then on, in that frame", {}, [] {
-    const auto man = bake_animated(make_man());
-    const ClusterTree tree(man, {.most_triangles = 64, .most_children = 20});
-    int leaf = static_cast<int>(tree.wide_nodes().size()) - 1;
-    while (!has_only_clusters(tree, leaf)) --leaf;
-    constexpr int several = ClusterBody::least_clusters_of_contact;
-    long wrong = 0, frames = 0;
-    for (const Skinning skinning : {Skinning::spherical, Skinning::linear}) {
-      ClusterBody body(tree, skinning);
-      for (const int count : {several, several - 1, several, 1}) {
-        body.begin(man.clips[0].sample(0.1), {});
-        for (int c = 0; c < count; ++c) body.clusters().cluster(c);
-        body.tighten(0);
-        body.wide_node_box(leaf);
-        const bool is_skinned = skinning == Skinning::spherical && count == several;
-        wrong += body.nodes_bounded() != (is_skinned ? 0 : tree.wide_nodes()[leaf].child_count), ++frames;
-      }
-    }
-    return Checked(wrong == 0 && leaf > 0, frames);
-  });
 }
 
 void boxes_once_all_is_skinned(Suite& t) {
@@ -898,6 +901,7 @@ PROPTEST(cluster_collide) {
   clusters_and_wide_nodes(t);
   what_is_counted(t);
   when_clusters_are_rather_skinned(t);
+  what_is_skinned_cuts_bounds(t);
   boxes_once_all_is_skinned(t);
   two_walking_men(t);
   bodies_that_are_skinned_whole(t);

@@ -209,6 +209,48 @@ TreeOptions draw_options() {
   return {.triangles_per_leaf = *rc::gen::element(1, 1, 2, 3, 8), .prune_ratio = *rc::gen::element(0.0, 0.5, 0.9, 1.0, keep_all)};
 }
 
+void single_trees(Suite& t) {
+  t.example("triangles that no split tells apart are halved", {}, [] {
+    SkinnedMesh model;
+    model.name = "triangles";
+    model.joints = {{"only", -1, {0, 0, 0}}};
+    bool ok = true;
+    for (const double size : {0.0, 1.0, 1e40}) {
+      model.vertices = {{-size, 0, 0}, {size, 0, 0}, {0, size, 0}};
+      model.influences.assign(3, {{0, 1}});
+      model.triangles.assign(37, {0, 1, 2});
+      for (const TreeNode& n : build_sphere_tree(model, JointSets(model), {1, keep_all}).nodes) ok = ok && n.level <= 7;
+    }
+    return ok;
+  });
+  t.example("a leaf without triangles is refused", {}, [] {
+    const SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 3, 3, 1, 1});
+    try {
+      build_sphere_tree(model, JointSets(model), {.triangles_per_leaf = 0});
+    } catch (const std::invalid_argument& e) {
+      return std::string(e.what()).find("not 0") != std::string::npos;
+    }
+    return false;
+  });
+  t.example("the trees of the built-in models are right, and built in less than a second of processor time", {}, [] {
+    std::string detail;
+    bool all = true;
+    for (const SkinnedMesh& model : {make_man(), make_creature()}) {
+      const JointSets sets(model);
+      const TreeOptions options;
+      const std::clock_t start = std::clock();
+      const auto tree = build_sphere_tree(model, sets, options);
+      const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+      const std::string fault = structural_fault(tree, model, options);
+      const auto binary = build_sphere_tree(model, sets, {1, keep_all});
+      all = all && fault.empty() && pruning_fault(tree, binary, 0.9).empty() && split_fault(binary, model).empty() && seconds < 1;
+      detail += model.name + ": " + std::to_string(tree.nodes.size()) + " nodes, " + std::to_string(tree.level_count()) +
+                " levels, " + std::to_string(seconds) + " s" + (fault.empty() ? "" : ", " + fault) + "; ";
+    }
+    return Checked(all, 2, detail);
+  });
+}
+
 }  // namespace
 
 PROPTEST(sphere_tree) {
@@ -256,45 +298,7 @@ PROPTEST(sphere_tree) {
                 RC_ASSERT(n.reference.radius <= options.prune_ratio * tree.nodes[n.parent].reference.radius);
             }
           });
-  t.example("triangles that no split tells apart are halved", {}, [] {
-    SkinnedMesh model;
-    model.name = "triangles";
-    model.joints = {{"only", -1, {0, 0, 0}}};
-    bool ok = true;
-    for (const double size : {0.0, 1.0, 1e40}) {
-      model.vertices = {{-size, 0, 0}, {size, 0, 0}, {0, size, 0}};
-      model.influences.assign(3, {{0, 1}});
-      model.triangles.assign(37, {0, 1, 2});
-      for (const TreeNode& n : build_sphere_tree(model, JointSets(model), {1, keep_all}).nodes) ok = ok && n.level <= 7;
-    }
-    return ok;
-  });
-  t.example("a leaf without triangles is refused", {}, [] {
-    const SkinnedMesh model = gen::make_mesh({gen::MeshKind::tube, 3, 3, 1, 1});
-    try {
-      build_sphere_tree(model, JointSets(model), {.triangles_per_leaf = 0});
-    } catch (const std::invalid_argument& e) {
-      return std::string(e.what()).find("not 0") != std::string::npos;
-    }
-    return false;
-  });
-  t.example("the trees of the built-in models are right, and built in less than a second of processor time", {}, [] {
-    std::string detail;
-    bool all = true;
-    for (const SkinnedMesh& model : {make_man(), make_creature()}) {
-      const JointSets sets(model);
-      const TreeOptions options;
-      const std::clock_t start = std::clock();
-      const auto tree = build_sphere_tree(model, sets, options);
-      const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-      const std::string fault = structural_fault(tree, model, options);
-      const auto binary = build_sphere_tree(model, sets, {1, keep_all});
-      all = all && fault.empty() && pruning_fault(tree, binary, 0.9).empty() && split_fault(binary, model).empty() && seconds < 1;
-      detail += model.name + ": " + std::to_string(tree.nodes.size()) + " nodes, " + std::to_string(tree.level_count()) +
-                " levels, " + std::to_string(seconds) + " s" + (fault.empty() ? "" : ", " + fault) + "; ";
-    }
-    return Checked(all, 2, detail);
-  });
+  single_trees(t);
 }
 
 }  // namespace proptests::suite_sphere_tree
