@@ -26,7 +26,7 @@ struct BinaryNode {
   bool is_leaf() const { return children[0] < 0; }
 };
 
-// A child has at least one of so many triangles of its parent's, so that trees are not deep.
+// Each child gets at least one of so many of its parent's triangles, so that trees are not deep.
 constexpr int least_share = 4;
 
 class Builder {
