@@ -367,7 +367,7 @@ def verdict_table(results, lemmas):
         share = f"{100 * v.degenerate:.0f}\\,\\%" if v.claims else ""
         held = [said_of_claims(v.claims or ([] if v.refuted_after else v.printed_claims)), share]
         out.append([f"\\texttt{{{escaped(stem)}}}", "; ".join(as_printed), *held])
-    return table("lllr", ["statement", "as printed", "holds in", "degenerate"], out)
+    return table("l>{\\raggedright\\arraybackslash}p{24mm}lr", ["statement", "as printed", "holds in", "degenerate"], out)
 
 
 def statement_table(results, root):
