@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -73,7 +72,7 @@ class Builder {
     const int count = static_cast<int>(range.size()), least = std::max(1, count / least_share);
     std::vector<int> order(range.begin(), range.end());
     std::vector<double> extents_from(range.size());  // of what is from a place on
-    std::pair best(std::numeric_limits<double>::infinity(), count);
+    std::pair best(infinite, count);
     int left_count = 0;
     for (int axis = 0; axis < 3; ++axis) {
       std::sort(order.begin(), order.end(),

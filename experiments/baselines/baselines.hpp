@@ -19,8 +19,9 @@ std::vector<std::string> absent_engines();
 inline constexpr const char* float_baselines[] = {"skin_all_float", "skin_all_float_384", "skin_all_float_512"};
 
 using Maker = std::unique_ptr<Detector>(const Character& character);
-Maker make_brown, make_aabb_tree, make_skin_all_float, make_skin_all_float_384, make_skin_all_float_512, make_cgal_aabb,
-    make_spatial_hash;
+Maker make_brown, make_aabb_tree, make_cgal_aabb, make_spatial_hash;
+// Returns what makes the one whose clusters have up to so many triangles.
+std::function<Maker> skin_all_float_maker(int most_triangles);
 Maker make_fcl_aabb, make_fcl_kdop16, make_fcl_obbrss;
 Maker make_bullet_dbvt, make_bullet_gimpact;
 Maker make_embree;

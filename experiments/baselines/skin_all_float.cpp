@@ -52,14 +52,10 @@ class SkinAllFloat : public Detector {
 
 }  // namespace
 
-std::unique_ptr<Detector> make_skin_all_float(const Character& character) {
-  return std::make_unique<SkinAllFloat>(character, ClusterOptions{});
-}
-std::unique_ptr<Detector> make_skin_all_float_384(const Character& character) {
-  return std::make_unique<SkinAllFloat>(character, ClusterOptions{.most_triangles = 384});
-}
-std::unique_ptr<Detector> make_skin_all_float_512(const Character& character) {
-  return std::make_unique<SkinAllFloat>(character, ClusterOptions{.most_triangles = 512});
+std::function<Maker> skin_all_float_maker(int most_triangles) {
+  return [most_triangles](const Character& character) {
+    return std::make_unique<SkinAllFloat>(character, ClusterOptions{.most_triangles = most_triangles});
+  };
 }
 
 }  // namespace refitlab

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <ctime>
-#include <limits>
 #include <map>
 #include <set>
 
 #include "algorithms/bake/build_tree.hpp"
 #include "algorithms/bake/weight_vertices.hpp"
+#include "algorithms/runtime/balls/box.hpp"
 #include "experiments/procedural/procedural.hpp"
 #include "proptests/gen/skinned_mesh.hpp"
 #include "proptests/harness/harness.hpp"
@@ -22,7 +22,6 @@ using namespace refitlab;
 
 // It is a prune ratio that keeps all nodes.
 constexpr double keep_all = 1e300;
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 std::set<int> vertices_below(const SphereTree& tree, const SkinnedMesh& model, const TreeNode& n) {
   std::set<int> out;
@@ -155,7 +154,7 @@ std::string pruning_fault(const SphereTree& pruned, const SphereTree& binary, do
 // Returns the sum of the edges of the box around the first i triangles, for each i.
 std::vector<double> extents_of_first(const SkinnedMesh& model, const std::vector<int>& triangles) {
   std::vector<double> out{0};
-  Point3 low = Point3::Constant(unbounded), high = -low;
+  Point3 low = Point3::Constant(infinite), high = -low;
   for (const int t : triangles) {
     for (const int v : model.triangles[t]) low = low.cwiseMin(model.vertices[v]), high = high.cwiseMax(model.vertices[v]);
     out.push_back((high - low).sum());
@@ -170,7 +169,7 @@ std::vector<double> split_costs(const SkinnedMesh& model, std::vector<int> trian
   const auto left = extents_of_first(model, triangles);
   std::reverse(triangles.begin(), triangles.end());
   const auto right = extents_of_first(model, triangles);
-  std::vector<double> out(n + 1, unbounded);
+  std::vector<double> out(n + 1, infinite);
   for (std::size_t i = least; i + least <= n; ++i)
     out[i] = static_cast<double>(i) * left[i] + static_cast<double>(n - i) * right[n - i];
   return out;
@@ -189,7 +188,7 @@ std::string split_fault(const SphereTree& binary, const SkinnedMesh& model) {
     std::vector<int> triangles(first, first + n.triangle_count);
     const int of_left = binary.nodes[n.first_child].triangle_count;
     const double own = split_costs(model, triangles)[of_left];
-    double least = unbounded;
+    double least = infinite;
     bool is_sorted = false;
     for (int axis = 0; axis < 3; ++axis) {
       const auto is_less = [&](int a, int b) { return std::pair(centroid(a)[axis], a) < std::pair(centroid(b)[axis], b); };
