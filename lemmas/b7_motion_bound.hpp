@@ -17,6 +17,9 @@
 //   r||^2.
 // For given weights u, whatever the signs of the quaternions, with (q_k, q_l) >= c_kl and 0 < D <= ||q||^2,
 //   ||B - L||^2 <= A(f)^2 / D^2 sum_{k<l} u_k^2 u_l^2 (1 - d_kl) (1 + d_kl + 2 D), d_kl = max(c_kl, -D).
+// Of weights u it may be known that u_k >= m_k, with sum m_k = M, that sum_{k<l} u_k u_l <= P, and that sum_{k<l} (u_k u_l)^2 <= Q.
+// - L is in the hull of the sum_l m_l C_l f + (1 - M) C_k f.
+// - ||B - L||^2 <= 2 (1 - c) Q / (1 - 2 (1 - c) P)^2 A(f)^2 if 2 (1 - c) P < 1. Weights that are nearly one joint's have a small Q.
 // For some of the joints A is no greater and c is no less, so a bound for all joints holds for some of them too.
 // With f = v the first length is 0: v' is within s A(v) of the hull of the C_k v, and all v at once of that of the
 // images of any set that holds them, such as a box. Their A is known from one of them: A(v) <= A(f) +
@@ -48,6 +51,8 @@
 //   >= P y^2 (Cauchy and Schwarz), and y (1 - 4/5 y) rises, so the left side is at most 32/5 (1 - x) x^2 (1 - 4/5 x^2). 25
 //   times what is left of the right one is then (3 + 2 x)^2 - 32 (1 - x) x^2 (5 - 4 x^2) = (1 - 2 x)^2 (9 + 48 x - 32 x^3)
 //   >= 0.
+// - Of weights with such P and Q: all (q_k, q_m) are in [c, 1], and so are the g_k. The bracket is at most a^2 + a (2 - a) = 2 a, and
+//   D = 1 - 2 sum p (1 - c_kl) >= 1 - 2 a P. The hull is that of the weights' simplex (b1_rational_bezier_simplex).
 // - The least-squares center is Pythagoras' theorem.
 // - ||R_k x - R_l x|| <= 2 sqrt(1 - c_kl^2) ||x||, as the angle between the rotations is twice that between the
 //   quaternions.
@@ -91,6 +96,20 @@ S squared_turn_of_cosine(const S& cosine) {
 template <class S>
 S squared_deviation_share(const S& cosine) {
   return (S(1) - cosine) * choose(S(5) * cosine >= S(3), S(S(13) / S(64) - S(5) / S(64) * cosine), S(S(9) / S(16)));
+}
+
+// Returns a coordinate of sum_l m_l x_l + (1 - M) x_k. at_least is that of the sum, rest is 1 - M, and image is that of x_k.
+template <class S>
+S shrunk_by_least(const S& at_least, const S& rest, const S& image) {
+  return at_least + rest * image;
+}
+
+// Returns the share of weights of which so much is known: products is P, and squared_products is Q. The cosine is at least 0, and
+// 2 (1 - cosine) products is less than 1.
+template <class S>
+S squared_share_of_products(const S& cosine, const S& products, const S& squared_products) {
+  const S twice = S(2) * (S(1) - cosine);
+  return twice * squared_products / sq(S(S(1) - twice * products));
 }
 
 // Returns the share for given weights u. cosines are the c_kl for k < l in order, and squared_blend is D.

@@ -45,6 +45,20 @@ Definition vertex_by_steps : Prop :=
   forall (cs : list rigid) (u : list R) (f v : vec R), comb u (map rotation cs) <> lzero ->
   exists turned, norm turned = norm (v - f) /\
   dual_blend cs u v = (carried cs u f + turned + (dual_blend cs u f - carried cs u f))%V.
+(* Of weights with products u_k u_l whose sum is at most P and whose squares' sum is at most Q:
+   ||B - L||^2 <= 2 (1 - c) Q / (1 - 2 (1 - c) P)^2 A(f)^2. *)
+Definition products (u : list R) : R := total (fun p => fst p * snd p) (pairs u).
+Definition squared_products (u : list R) : R := total (fun p => (fst p * snd p) * (fst p * snd p)) (pairs u).
+Definition deviates_by_products : Prop :=
+  forall (cs : list rigid) (c : R) (f : vec R) (u : list R) (P Q : R), are_within c cs -> convex (length cs) u ->
+  products u <= P -> squared_products u <= Q -> 2 * (1 - c) * P < 1 ->
+  norm2 (dual_blend cs u f - carried cs u f) * ((1 - 2 * (1 - c) * P) * (1 - 2 * (1 - c) * P)) <=
+  2 * (1 - c) * Q * squared_spread cs f.
+(* Weights u_k >= m_k carry a point into the hull of sum_l m_l x_l + (1 - sum m) x_k: with weights t, u_k = m_k + (1 - sum m) t_k. *)
+Definition carried_by_least : Prop :=
+  forall (xs : list (vec R)) (m t : list R), length m = length xs -> convex (length xs) t ->
+  let rest := 1 - sum m in
+  comb (map (fun p => fst p + rest * snd p) (combine m t)) xs = comb t (map (fun x => comb m xs + rest *: x)%V xs).
 (* ||R_k x - R_l x|| <= 2 sqrt(1 - (q_k, q_l)^2) ||x|| *)
 Definition turns_little : Prop :=
   forall (p q : quat R) (x : vec R), norm2 p = 1 -> norm2 q = 1 ->
@@ -433,6 +447,132 @@ Proof.
     apply Rmult_le_reg_l with (norm2 q * norm2 q); [nra|].
     apply Rle_trans with (1 := B). apply Rle_trans with (A2 * (9 / 16 * (1 - c) * (norm2 q * norm2 q))); [|right; ring].
     apply Rmult_le_compat_l; auto.
+Qed.
+
+(* --- The bound by products of weights --- *)
+
+Lemma both_listed {X} (xs : list X) s t : In s xs -> In t xs -> s = t \/ In (s, t) (pairs xs) \/ In (t, s) (pairs xs).
+Proof.
+  induction xs as [|x xs IH]; [intros []|]. cbn [pairs]. intros [->|S] [->|T].
+  - now left.
+  - right. left. apply in_or_app. left. apply in_map_iff. now exists t.
+  - right. right. apply in_or_app. left. apply in_map_iff. now exists s.
+  - destruct (IH S T) as [E|[I|I]]; [now left|right; left|right; right]; apply in_or_app; now right.
+Qed.
+
+(* The g_k are in [c, 1], so that the bracket of a pair is at most 2 (1 - c). *)
+Lemma near_bracket (f : vec R) (q : quat R) (s t : rigid) (c : R) : norm2 (rotation s) = 1 -> norm2 (rotation t) = 1 ->
+  0 <= c <= dot (rotation s) (rotation t) -> c <= dot (rotation s) q <= 1 -> c <= dot (rotation t) q <= 1 ->
+  norm2 (pair_vector f q s t) <= norm2 (apply_rigid s f - apply_rigid t f) * (2 * (1 - c)).
+Proof.
+  intros Us Ut C Gs Gt. unfold pair_vector. set (X := (apply_rigid s f - apply_rigid t f)%V).
+  set (p := rotation s) in *. set (r := rotation t) in *. set (g := dot p q - dot r q).
+  destruct (pair_is_perpendicular_holds p r X g Us Ut) as [M O]. set (m := im (qmul p (conj r))) in *.
+  replace (norm2 (g *: X + cross X m)) with (g * g * norm2 X + 2 * dot (g *: X) (cross X m) + norm2 (cross X m)) by (dots; ring).
+  rewrite O. pose proof (cross_norm2 X m) as Cr. rewrite M in Cr. pose proof (norm2_nonneg X) as Xn.
+  assert (G : g * g <= (1 - c) * (1 - c)) by (unfold g; nra).
+  apply Rle_trans with (norm2 X * (g * g + (1 - dot p r * dot p r))); [lra|]. apply Rmult_le_compat_l; [auto|nra].
+Qed.
+
+(* A mean of numbers in [c, 1] is in [c, 1]. *)
+Lemma mean_within (ts : list (R * rigid)) (h : R * rigid -> R) c : total weight ts = 1 -> (forall t, In t ts -> 0 <= weight t) ->
+  (forall t, In t ts -> c <= h t <= 1) -> c <= total (fun t => weight t * h t) ts <= 1.
+Proof.
+  intros T P H.
+  assert (A : total (fun t => c * weight t) ts <= total (fun t => weight t * h t) ts).
+  { apply total_le. intros t I. specialize (P t I). specialize (H t I). nra. }
+  assert (B : total (fun t => weight t * h t) ts <= total weight ts).
+  { apply total_le. intros t I. specialize (P t I). specialize (H t I). nra. }
+  rewrite total_scale, T in A. lra.
+Qed.
+
+Theorem deviates_by_products_holds : deviates_by_products.
+Proof.
+  intros cs c f u P Q (C0 & U & Cp) W HP HQ D0. assert (W' := W). destruct W' as (L & Pu & S).
+  set (ts := combine u cs). set (q := comb u (map rotation cs)).
+  assert (Ut : forall t, In t ts -> norm2 (turn t) = 1).
+  { intros t I. rewrite Forall_forall in U. apply U. destruct t as [a r]. eapply in_combine_r, I. }
+  assert (Pt : forall t, In t ts -> 0 <= weight t).
+  { intros t I. rewrite Forall_forall in Pu. apply Pu. destruct t as [a r]. eapply in_combine_l, I. }
+  assert (Cs : forall p, In p (pairs ts) -> c <= dot (turn (fst p)) (turn (snd p))).
+  { intros p I. rewrite Forall_forall in Cp. apply (Cp (snd (fst p), snd (snd p))).
+    rewrite <- (combine_snd u cs L). rewrite pairs_map. apply in_map_iff. now exists p. }
+  assert (Sp : squared_spread cs f = total (fun p => norm2 (image f (fst p) - image f (snd p))) (pairs ts)).
+  { unfold squared_spread. rewrite <- (combine_snd u cs L) at 1. rewrite pairs_map, total_map. reflexivity. }
+  assert (T1 : total weight ts = 1).
+  { rewrite <- S, <- (total_identity u). exact (total_weights u cs (fun a => a) L). }
+  set (P2 := total (fun p => weight (fst p) * weight (snd p)) (pairs ts)).
+  set (p2 := total (fun p => (weight (fst p) * weight (snd p)) * (weight (fst p) * weight (snd p))) (pairs ts)).
+  assert (E2 : P2 <= P /\ p2 <= Q).
+  { split; [replace P2 with (products u)|replace p2 with (squared_products u)]; auto;
+      unfold P2, p2, products, squared_products; rewrite <- (combine_fst u cs L) at 1; rewrite pairs_map, total_map; reflexivity. }
+  destruct E2 as [LP LQ].
+  destruct (pairs ts) as [|p0 ps] eqn:Ps.
+  { (* One joint, or none: the blend is what that joint does. *)
+    assert (One : exists t, cs = [t]).
+    { destruct cs as [|t [|t' cs]]; [destruct u; [cbn in S; lra|discriminate]|now exists t|].
+      destruct u as [|a [|b u]]; try discriminate. }
+    destruct One as [t ->]. destruct u as [|a [|b u]]; try discriminate. cbn in S.
+    assert (A1 : a = 1) by lra. subst a. inversion U as [|? ? Un _]; subst.
+    assert (Nq : q <> lzero).
+    { apply norm2_pos_inv. unfold q. cbn [map comb]. replace (1 *: rotation t + lzero)%V with (rotation t) by vec_ring. lra. }
+    pose proof (deviates_by_pairs_holds [t] f [1] U W Nq) as I. fold q ts in I. rewrite Ps in I. cbn [total] in I.
+    apply (f_equal norm2) in I. rewrite norm2_scale, norm2_zero in I. apply norm2_pos in Nq.
+    apply Rmult_integral in I as [I|I]; [apply Rmult_integral in I as [I|I]; lra|]. rewrite I, Sp. cbn. lra. }
+  assert (C1 : c <= 1).
+  { assert (I : In p0 (p0 :: ps)) by now left. pose proof (Cs p0 I) as D. rewrite <- Ps in I. apply in_pairs in I as [I J].
+    pose proof (cauchy (turn (fst p0)) (turn (snd p0))) as Ca. rewrite (Ut _ I), (Ut _ J) in Ca. nra. }
+  assert (Cd : forall s t, In s ts -> In t ts -> c <= dot (turn s) (turn t) <= 1).
+  { intros s t Is It. split.
+    - destruct (both_listed ts s t Is It) as [<-|[I|I]]; [unfold turn; pose proof (Ut s Is) as N; unfold norm2, turn in N; lra| |];
+        rewrite Ps in I; specialize (Cs _ I); cbn [fst snd] in Cs; [auto|rewrite dot_comm; auto].
+    - pose proof (cauchy (turn s) (turn t)) as Ca. rewrite (Ut _ Is), (Ut _ It) in Ca. nra. }
+  assert (Gd : forall t, In t ts -> c <= dot (turn t) q <= 1).
+  { intros t It. replace (dot (turn t) q) with (total (fun s => weight s * dot (turn t) (turn s)) ts).
+    - apply mean_within; auto.
+    - unfold q. rewrite comb_total. fold ts. rewrite dot_comm, dot_total. apply total_ext. intros s _.
+      rewrite dot_scale_l, dot_comm. reflexivity. }
+  (* D = sum u^2 + 2 sum p (q_k, q_l) >= 1 - 2 (1 - c) sum p. *)
+  assert (Q1 : 1 = total (fun t => weight t * weight t) ts + 2 * P2).
+  { pose proof (square_of_total weight ts) as G. rewrite T1, Ps in G. unfold norm2 in G. cbn [dot euclid_R] in G. fold P2 in G. lra. }
+  assert (Qd : 1 - 2 * (1 - c) * P2 <= norm2 q).
+  { unfold q. rewrite comb_total. fold ts. pose proof (square_of_total (fun t => weight t *: turn t)%V ts) as G. rewrite Ps in G.
+    assert (G1 : total (fun t => norm2 (weight t *: turn t)) ts = total (fun t => weight t * weight t) ts).
+    { apply total_ext. intros t I. rewrite norm2_scale, (Ut t I). ring. }
+    assert (G2 : c * P2 <= total (fun p => dot (weight (fst p) *: turn (fst p)) (weight (snd p) *: turn (snd p))) (p0 :: ps)).
+    { unfold P2. rewrite <- total_scale. apply total_le. intros p I. rewrite dot_scale_l, dot_scale_r. specialize (Cs p I).
+      rewrite <- Ps in I. apply in_pairs in I as [I J]. pose proof (Pt _ I). pose proof (Pt _ J).
+      assert (0 <= weight (fst p) * weight (snd p)) by (apply Rmult_le_pos; auto). nra. }
+    unfold weight, turn in *. rewrite G, G1. lra. }
+  assert (Dd : 1 - 2 * (1 - c) * P <= norm2 q) by nra.
+  assert (Nq : q <> lzero) by (apply norm2_pos_inv; lra).
+  pose proof (deviates_by_pairs_holds cs f u U W Nq) as I. fold q ts in I. rewrite Ps in I.
+  destruct (cauchy_of_total (fun p => (fst (fst p) * fst (snd p)) *: pair_vector f q (snd (fst p)) (snd (snd p)))%V
+    (fun p => norm2 (image f (fst p) - image f (snd p)))
+    (fun p => 2 * (1 - c) * ((weight (fst p) * weight (snd p)) * (weight (fst p) * weight (snd p)))) (p0 :: ps)) as (A0 & _ & B).
+  - intros p. apply norm2_nonneg.
+  - intros p. apply Rmult_le_pos; [lra|apply Rle_0_sqr].
+  - intros p J. specialize (Cs p J). rewrite <- Ps in J. apply in_pairs in J as [J1 J2].
+    rewrite norm2_scale. fold (weight (fst p)) (weight (snd p)).
+    pose proof (near_bracket f q (snd (fst p)) (snd (snd p)) c (Ut _ J1) (Ut _ J2) (Logic.conj C0 Cs) (Gd _ J1) (Gd _ J2)) as Br.
+    pose proof (Rle_0_sqr (weight (fst p) * weight (snd p))) as Sq. unfold Rsqr in Sq. unfold image. nra.
+  - rewrite <- I, norm2_scale, <- Sp, total_scale in B. fold p2 in B. rewrite <- Sp in A0.
+    set (y := norm2 (dual_blend cs u f - carried cs u f)) in *. set (A2 := squared_spread cs f) in *.
+    assert (y0 : 0 <= y) by apply norm2_nonneg.
+    assert (DD : (1 - 2 * (1 - c) * P) * (1 - 2 * (1 - c) * P) <= norm2 q * norm2 q) by nra.
+    assert (y * ((1 - 2 * (1 - c) * P) * (1 - 2 * (1 - c) * P)) <= y * (norm2 q * norm2 q)) by (apply Rmult_le_compat_l; auto).
+    assert (A2 * (2 * (1 - c) * p2) <= A2 * (2 * (1 - c) * Q)) by (apply Rmult_le_compat_l; [auto|nra]).
+    lra.
+Qed.
+
+Theorem carried_by_least_holds : carried_by_least.
+Proof.
+  intros xs m t L (Lt & _ & S) rest.
+  assert (A : comb t (map (fun x => comb m xs + rest *: x)%V xs) = (sum t *: comb m xs + rest *: comb t xs)%V).
+  { generalize (comb m xs). intros y. clear L S. revert t Lt. induction xs as [|x xs IH]; intros [|a t] Lt; try discriminate;
+      cbn [map comb]; [replace (sum []) with 0 by reflexivity; vec_ring|]. rewrite IH by auto. rewrite sum_cons. vec_ring. }
+  rewrite A, S. clear A S. clearbody rest. revert m t L Lt. induction xs as [|x xs IH]; intros [|b m] [|a t] L Lt; try discriminate;
+    cbn [combine map comb fst snd]; [vec_ring|]. rewrite IH by auto. vec_ring.
 Qed.
 
 (* The hypotheses can be met: two unit quaternions at the cosine 4/5. *)

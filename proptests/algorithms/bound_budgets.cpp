@@ -137,6 +137,14 @@ double error_of_spread() {
   return squared_spread_of_sums(Budget(n), squares, sum).in_u();
 }
 
+// Returns the error of a coordinate of images that are shrunk by least weights, which are rounded, beside that of the images.
+double error_of_shrunk(int n) {
+  const Budget image(1, 0, tiny);
+  Budget at_least(tiny, 0, 0);
+  for (int k = 0; k < n; ++k) at_least = at_least + Budget(1.0 / n, 0, tiny) * image;
+  return shrunk_by_least(at_least, Budget(1, u, tiny), image).in_u();
+}
+
 Checked check_motion_bound() {
   DerivedBudgets budgets;
   // The share of A is at most the root of 9 / 16 and what is added for errors, so that an image's error e adds up to (1 + share
@@ -149,8 +157,8 @@ Checked check_motion_bound() {
         const double e = error_of_image(f, t, is_matrix ? image_by_matrix : image_by_quaternion);
         char name[80];
         std::snprintf(name, sizeof name, "%d joints%s, per %s", n, is_matrix ? " by matrices" : "", what);
-        // The box grows by a radius, with one rounding on each side.
-        budgets.add(name, all * (e + 2), lost_of_motion_bound * n / u);
+        // The box grows by a radius, with one rounding on each side. Images of a single joint are not shrunk.
+        budgets.add(name, all * (e + 2) + (n == 1 ? 0 : error_of_shrunk(n)), lost_of_motion_bound * n / u);
       };
       add("|f|", 1, tiny), add("|t|", tiny, 1);
     }

@@ -552,6 +552,37 @@ void what_is_skinned_cuts_bounds(Suite& t) {
       });
 }
 
+void what_is_skinned_spares_others(Suite& t) {
+  t.example("a query skins a cluster of the second body only if its bound meets the vertices' box of a skinned one of the first",
+            {}, [] {
+              const auto man = bake_animated(make_man());
+              const ClusterTree tree(man, {.most_triangles = 64});
+              ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical), bounds(tree, Skinning::spherical);
+              long wrong = 0, skinned = 0;
+              for (int frame = 0; frame < 40; ++frame) {
+                const Pose pose = man.clips[0].sample(0.025 * frame * man.clips[0].duration);
+                const RigidTransform<double> at{{1, 0, 0, 0}, {0.35 + 0.01 * (frame % 20), 0, 0}};
+                a.begin(pose, {}), b.begin(pose, at), bounds.begin(pose, at);
+                QueryCounts counts;
+                collide(a, b, Query::full, counts, nullptr);
+                // From so many clusters on they are skinned rather than bounded.
+                if (std::max(a.clusters_skinned(), b.clusters_skinned()) >= ClusterBody::least_clusters_of_contact) continue;
+                ClusterPairScratch scratch;
+                const ClusterPairs pairs(a.clusters(), b.clusters(), Query::full, counts, scratch);
+                for (int second = 0; second < static_cast<int>(tree.clusters().size()); ++second) {
+                  if (!b.clusters().is_skinned(second)) continue;
+                  const ChildPlace place = tree.clusters()[second].place;
+                  const Box<float> bound = pairs.moved(get_box(bounds.wide_node_boxes(place.wide_node), place.child));
+                  bool meets = false;
+                  for (int first = 0; first < static_cast<int>(tree.clusters().size()); ++first)
+                    meets = meets || (a.clusters().is_skinned(first) && !are_apart(a.clusters().cluster(first).box, bound));
+                  wrong += !meets, ++skinned;
+                }
+              }
+              return Checked(wrong == 0 && skinned > 100, skinned, std::to_string(wrong) + " skinned for nothing");
+            });
+}
+
 void boxes_once_all_is_skinned(Suite& t) {
   t.example("once all is skinned, boxes are around skinned vertices, also where they were bounds before", {}, [] {
     const auto man = bake_animated(make_man());
@@ -696,11 +727,11 @@ void bodies_that_are_skinned_whole(Suite& t) {
         ok = ok && !at(0.2, in_place) && at(0.2, in_place) && at(0.2, away) && !memory.are_entangled() && !at(0.2, away) &&
              a.nodes_bounded() == 0;
         // What spares less than a tenth of the work is not worth going through boxes for.
-        ok = ok && !at(0.2, moved(0.35)) && memory.are_entangled() && a.excess_work() + b.excess_work() < 0;
+        ok = ok && !at(0.2, moved(0.32)) && memory.are_entangled() && a.excess_work() + b.excess_work() < 0;
         memory = {};
         // That one body was skinned whole before says nothing about the other one.
         QueryCounts counts;
-        a.begin(men.at(0.2), {}), b.begin(men.at(0.7), moved(0.4));
+        a.begin(men.at(0.2), {}), b.begin(men.at(0.7), moved(0.36));
         b.skin_all();
         collide(a, b, Query::full, counts, &memory);
         ok = ok && memory.are_near && !memory.are_entangled() && 5 * a.excess_work() > -a.work_of_all();
@@ -902,6 +933,7 @@ PROPTEST(cluster_collide) {
   what_is_counted(t);
   when_clusters_are_rather_skinned(t);
   what_is_skinned_cuts_bounds(t);
+  what_is_skinned_spares_others(t);
   boxes_once_all_is_skinned(t);
   two_walking_men(t);
   bodies_that_are_skinned_whole(t);

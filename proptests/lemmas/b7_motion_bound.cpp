@@ -171,6 +171,68 @@ void blends_deviate_within_the_bound(Suite& t) {
       });
 }
 
+void what_is_known_of_weights_makes_bounds_tighter(Suite& t) {
+  t.holds("weights no less than some are in the hull of images that are shrunk by these",
+          {.form = "beyond", .number_type = "rational", .cases = 300, .degenerate_at_least = 0.05}, [] {
+            const ReachCase c(5);
+            const auto images = images_of<Rational>(c.transforms, c.point);
+            std::vector<Rational> least, left;
+            Rational rest(1);
+            for (const Rational& w : c.weights) {
+              least.push_back(w * *rc::gen::oneOf(gen::unit_interval_rational(), rc::gen::element(Rational(0), Rational(1))));
+              rest -= least.back();
+            }
+            RC_CLASSIFY(rest == 0, "degenerate");
+            const RationalVec<3> at_least = combine<Rational, 3>(Span(least), images);
+            std::vector<RationalVec<3>> corners;
+            for (const auto& image : images) {
+              corners.emplace_back();
+              for (int i = 0; i < 3; ++i) corners.back()[i] = shrunk_by_least(at_least[i], rest, image[i]);
+            }
+            for (std::size_t k = 0; k < least.size(); ++k)
+              left.push_back(rest == 0 ? least[k] : Rational((c.weights[k] - least[k]) / rest));
+            RC_ASSERT(is_convex(Span(left)) == Verdict::holds);
+            RC_ASSERT((combine<Rational, 3>(Span(left), corners)) == (combine<Rational, 3>(c.u(), images)));
+          });
+  t.holds("blends deviate by no more than the products of their weights, and the squares of these, allow",
+          {.form = "beyond",
+           .number_type = "rational",
+           .cases = 600,
+           .degenerate_at_least = 0.05,
+           .tags_at_least = {{"tighter", 0.2}}},
+          [] {
+            const ReachCase c(4);
+            Rational products(0), squares(0);
+            for (std::size_t k = 0; k < c.weights.size(); ++k)
+              for (std::size_t l = k + 1; l < c.weights.size(); ++l)
+                products += c.weights[k] * c.weights[l], squares += sq(Rational(c.weights[k] * c.weights[l]));
+            // Of several vertices the greatest is known.
+            const Rational more = *rc::gen::element(Rational(0), Rational(0), Rational(1, 100), Rational(1, 8));
+            products += more, squares += more;
+            RC_PRE(2 * (1 - c.cosine) * products < 1);
+            RC_CLASSIFY(c.transforms.size() == 1 || c.cosine == 1, "degenerate");
+            const Rational share = squared_share_of_products(c.cosine, products, squares);
+            RC_TAG(share < squared_deviation_share(c.cosine) ? "tighter" : "not tighter");
+            const Rational spread = squared_spread(images_of<Rational>(c.transforms, c.point));
+            const auto dual = dual_quaternion_deviation(c.transforms, c.cosine, c.point, c.u(), c.vertex);
+            RC_ASSERT(squared_norm(dual.deviated) <= share * spread);
+            const auto center = least_squares_center(c.transforms);
+            const auto spherical = spherical_deviation(c.transforms, c.cosine, center, c.point, c.u(), c.vertex);
+            RC_ASSERT(squared_norm(spherical.deviated) <= share * spread);
+          });
+  t.example("two halves 106 degrees apart deviate by 1/16 of A^2, where their products allow 5/64, and eighths by much less", {},
+            [] {
+              const Rational c(3, 5), half(1, 2), eighths(7, 64);
+              const auto& halves = b7::halves;
+              const Transforms apart{{b7::identity, b7::origin}, {{c, Rational(4, 5), 0, 0}, b7::origin}};
+              const auto found = dual_quaternion_deviation(apart, c, b7::y_axis, Span(halves), b7::y_axis);
+              const Rational spread = squared_spread(images_of<Rational>(apart, b7::y_axis));
+              return squared_norm(found.deviated) == spread / 16 &&
+                     squared_share_of_products(c, Rational(half * half), Rational(1, 16)) == Rational(5, 64) &&
+                     squared_share_of_products(c, eighths, Rational(eighths * eighths)) == Rational(245, 21316);
+            });
+}
+
 void joints_spread_within_the_bound(Suite& t) {
   t.example("two halves that are half a turn apart deviate by half of A^2, or 9/16 of it where no cosine is known", {}, [] {
     const std::vector<Rational> halves{Rational(1, 2), Rational(1, 2)}, cosines{Rational(0)};
@@ -434,6 +496,7 @@ void pinned_cases(Suite& t) {
 PROPTEST(b7_motion_bound) {
   shares_and_spreads_are_computed(t);
   blends_deviate_within_the_bound(t);
+  what_is_known_of_weights_makes_bounds_tighter(t);
   joints_spread_within_the_bound(t);
   verdicts_and_witnesses_are_checked(t);
   hypotheses_need_each_part(t);

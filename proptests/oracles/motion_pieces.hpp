@@ -2,27 +2,33 @@
 // Makes motion pieces of one joint-set each, as they are before any are merged.
 #pragma once
 
+#include <numeric>
+
 #include "algorithms/runtime/collide/motion_piece.hpp"
 #include "algorithms/runtime/collide/simplex_pieces.hpp"
-#include "algorithms/runtime/skinning/rotation_center.hpp"
 
 namespace proptests::oracle {
 
-inline std::vector<refitlab::MotionPiece> motion_pieces(const refitlab::Character& c,
-                                                        const std::vector<refitlab::SimplexPiece>& pieces) {
+inline std::vector<refitlab::MotionPiece> motion_pieces(const refitlab::Character& c, std::span<const std::vector<int>> lists) {
   std::vector<refitlab::MotionPiece> out;
-  for (const refitlab::SimplexPiece& p : pieces) {
-    const refitlab::Point3 prior = refitlab::center_prior(c.mesh, c.sets.joints(p.joint_set), refitlab::Skinning::spherical);
-    out.push_back({p.joint_set, p.reference, p.box, (p.reference.center - prior).norm(), p.target});
-  }
+  for (std::size_t list = 0; list < lists.size(); ++list)
+    for (const auto& [set, vertices] : refitlab::by_joint_set(c.sets, lists[list])) {
+      out.push_back(refitlab::motion_piece(c, set, vertices));
+      out.back().target = static_cast<int>(list);
+    }
   return out;
 }
 
-// Returns the vertices of each node of the sphere tree.
-inline std::vector<std::vector<int>> vertices_of_nodes(const refitlab::Character& c) {
+// Returns the vertices of nodes of the sphere tree, or those of each.
+inline std::vector<std::vector<int>> vertices_of_nodes(const refitlab::Character& c, const std::vector<int>& nodes) {
   std::vector<std::vector<int>> out;
-  for (std::size_t n = 0; n < c.tree.nodes.size(); ++n) out.emplace_back(c.vertices[n].begin(), c.vertices[n].end());
+  for (const int n : nodes) out.emplace_back(c.vertices[n].begin(), c.vertices[n].end());
   return out;
+}
+inline std::vector<std::vector<int>> vertices_of_nodes(const refitlab::Character& c) {
+  std::vector<int> all(c.tree.nodes.size());
+  std::iota(all.begin(), all.end(), 0);
+  return vertices_of_nodes(c, all);
 }
 
 }  // namespace proptests::oracle

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <type_traits>
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
 
 #include "algorithms/runtime/collide/triangles_filter.hpp"
 #include "algorithms/runtime/packs/common_bit.hpp"
@@ -33,12 +35,26 @@ REFITLAB_KERNEL int overlaps(const BoxBlock<float>* blocks, int count, const Box
   return find_meeting(blocks, count, box, out);
 }
 
-// Sets, by position, a bit for each side of the box that the vertex is beyond. Bits are added up as floats, which is exact, because
-// Clang 14 cannot compile masks of sixteen integers. Where a block of sums is wider than registers, it becomes bytes by way of short
-// integers, as GCC takes the lanes one by one otherwise.
+// Sets, by position, a bit for each side of the box that the vertex is beyond.
+#ifdef __AVX512F__
+void find_outcodes(const float* xyz, int room, const Box<float>& box, std::uint8_t* outcodes) {
+  for (int first = 0; first < room; first += width) {
+    __m512i code = _mm512_setzero_si512();
+    for (int i = 0; i < 3; ++i) {
+      const __m512 x = _mm512_load_ps(xyz + i * room + first);
+      const __mmask16 below = _mm512_cmp_ps_mask(x, _mm512_set1_ps(box.low[i]), _CMP_LT_OQ);
+      const __mmask16 above = _mm512_cmp_ps_mask(x, _mm512_set1_ps(box.high[i]), _CMP_GT_OQ);
+      code = _mm512_mask_or_epi32(code, below, code, _mm512_set1_epi32(1 << i));
+      code = _mm512_mask_or_epi32(code, above, code, _mm512_set1_epi32(8 << i));
+    }
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(outcodes + first), _mm512_cvtepi32_epi8(code));
+  }
+}
+#else
+// Bits are added up as floats, which is exact. A block of sums is wider than registers, and becomes bytes by way of short integers, as
+// GCC takes the lanes one by one otherwise.
 void find_outcodes(const float* xyz, int room, const Box<float>& box, std::uint8_t* outcodes) {
   constexpr int block = Lanes<float>::count;
-  using Between = Row<std::conditional_t<(width < block), std::int16_t, std::int32_t>, block>;
   for (int first = 0; first < room; first += block) {
     alignas(64) float sums[block];
     for (int lane = 0; lane < block; lane += width) {
@@ -52,10 +68,11 @@ void find_outcodes(const float* xyz, int room, const Box<float>& box, std::uint8
     }
     Row<float, block> row;
     read_row(sums, row);
-    const Between whole = __builtin_convertvector(__builtin_convertvector(row, Row<std::int32_t, block>), Between);
+    const auto whole = __builtin_convertvector(__builtin_convertvector(row, Row<std::int32_t, block>), Row<std::int16_t, block>);
     write_row(__builtin_convertvector(whole, Row<std::uint8_t, block>), outcodes + first);
   }
 }
+#endif
 
 REFITLAB_KERNEL int cull(const ClusterTriangles& triangles, const float* xyz, int room, const Box<float>& box,
                          const CandidateArrays& out) {
@@ -82,10 +99,9 @@ void place_all(const ClusterTriangles& triangles, const float* xyz, int room, co
     TriangleOf<S> vertices;
     alignas(64) std::int32_t at[3][width];
     for (int c = 0; c < 3; ++c) look_up<kind>(triangles.vertex[c], triangles.count, out.triangle + k, at[c]);
-    for (int i = 0; i < 3; ++i) {
-      const std::array<S, 3> found = look_up<kind, 3>(xyz + i * room, room, {at[0], at[1], at[2]});
-      for (int c = 0; c < 3; ++c) store(vertices[c][i] = found[c] + S(offset[i]), out.vertices[3 * c + i] + k);
-    }
+    const auto found = look_up<kind, 3, 3>({xyz, xyz + room, xyz + 2 * room}, room, {at[0], at[1], at[2]});
+    for (int i = 0; i < 3; ++i)
+      for (int c = 0; c < 3; ++c) store(vertices[c][i] = found[i][c] + S(offset[i]), out.vertices[3 * c + i] + k);
     Box<S> box;
     for (int i = 0; i < 3; ++i) {
       const S &x = vertices[0][i], &y = vertices[1][i], &z = vertices[2][i];
@@ -114,10 +130,25 @@ Sides sides_of(const CandidateArrays& candidates) {
   return out;
 }
 
+// Returns the lanes in which two boxes are not apart.
+std::uint32_t meeting_lanes(const Box<S>& a, const Box<S>& b) {
+#ifdef __AVX512F__
+  // A comparison that is made in the lanes that the last one left needs no further operation on masks.
+  __mmask16 lanes = 0xffff;
+  for (int i = 0; i < 3; ++i) {
+    lanes = _mm512_mask_cmp_ps_mask(lanes, static_cast<__m512>(a.high[i]), static_cast<__m512>(b.low[i]), _CMP_NLT_UQ);
+    lanes = _mm512_mask_cmp_ps_mask(lanes, static_cast<__m512>(b.high[i]), static_cast<__m512>(a.low[i]), _CMP_NLT_UQ);
+  }
+  return lanes;
+#else
+  return lane_bits(!are_apart(a, b));
+#endif
+}
+
 // Returns the lanes whose boxes are not apart from the given one.
 std::uint32_t meeting_lanes(const Sides& sides, int first, const Box<S>& box) {
   const auto side = [&](int i) { return load(sides[i] + first); };
-  return lane_bits(!are_apart(Box<S>{{side(0), side(1), side(2)}, {side(3), side(4), side(5)}}, box));
+  return meeting_lanes(Box<S>{{side(0), side(1), side(2)}, {side(3), side(4), side(5)}}, box);
 }
 
 Box<S> broadcast(const Box<float>& box) {
@@ -168,7 +199,7 @@ REFITLAB_KERNEL int meeting(const CandidateArrays& a, int count_a, const Candida
     const std::uint32_t valid = first_lanes(end - block);
     for_each_near(sides, count_a, all, [&](int k) {
       const Box<S> other{{S(sides[0][k]), S(sides[1][k]), S(sides[2][k])}, {S(sides[3][k]), S(sides[4][k]), S(sides[5][k])}};
-      found += write_lanes(lane_bits(!are_apart(own, other)) & valid, pair_of(k, block), pairs + found);
+      found += write_lanes(meeting_lanes(own, other) & valid, pair_of(k, block), pairs + found);
     });
   }
   if (found > 0) fill_pack(pairs[found - 1], pairs + found);
@@ -178,9 +209,12 @@ REFITLAB_KERNEL int meeting(const CandidateArrays& a, int count_a, const Candida
 // Returns the vertices of one candidate in each lane.
 template <Table kind>
 TriangleOf<S> vertices_of(const CandidateArrays& candidates, int count, const std::int32_t* which) {
+  std::array<const float*, 9> coordinates;
+  for (int i = 0; i < 9; ++i) coordinates[i] = candidates.vertices[i];
+  const auto found = look_up<kind, 9, 1>(coordinates, count, {which});
   TriangleOf<S> out;
   for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < 3; ++i) out[c][i] = look_up<kind>(candidates.vertices[3 * c + i], count, which);
+    for (int i = 0; i < 3; ++i) out[c][i] = found[3 * c + i][0];
   return out;
 }
 

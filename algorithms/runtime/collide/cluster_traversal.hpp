@@ -92,8 +92,12 @@ class ClusterTraversal {
     const Box<float> box_a = box_at(first_, at_a), box_b = box_at(second_, at_b), moved_b = pairs_.moved(box_b);
     if (are_apart(box_a, moved_b)) return;  // by now
     if (are_clusters) {
+      // The second one is skinned only if its bound meets the vertices' box of the first one.
+      const Box<float>& exact_a = first_.clusters().cluster(a.cluster).box;
+      first_.tighten(a.cluster);
+      if (are_apart(exact_a, moved_b)) return;
       pairs_.add(a.cluster, b.cluster);
-      first_.tighten(a.cluster), second_.tighten(b.cluster);
+      second_.tighten(b.cluster);
       return;
     }
     if (b.wide_node < 0 || (a.wide_node >= 0 && box_a.extent() >= box_b.extent())) below_first(a.wide_node, at_b, moved_b);

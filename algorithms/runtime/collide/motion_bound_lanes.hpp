@@ -111,9 +111,11 @@ struct Joints {
       return of_records([&](int lane, int i, Row<float, 4>& four) { read_row(numbers + 8 * joint[lane] + i, four); });
     } else {
       constexpr Table table = few ? Table::of_few : Table::in_registers;
+      const auto found =
+          look_up<table, 7, 1>({number(0), number(1), number(2), number(3), number(4), number(5), number(6)}, count, {joint});
       Transform out;
-      for (int i = 0; i < 4; ++i) out.rotation[i] = look_up<table>(number(i), count, joint);
-      for (int i = 0; i < 3; ++i) out.translation[i] = look_up<table>(number(4 + i), count, joint);
+      for (int i = 0; i < 4; ++i) out.rotation[i] = found[i][0];
+      for (int i = 0; i < 3; ++i) out.translation[i] = found[4 + i][0];
       return out;
     }
   }

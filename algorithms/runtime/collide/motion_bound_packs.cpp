@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/runtime/packs/float_above.hpp"
 #include "algorithms/runtime/packs/float_environment.hpp"
 #include "lemmas/b7_motion_bound.hpp"
 
@@ -44,6 +45,22 @@ void put_box(MotionBoundPiecePack& pack, int lane, int n, const Box<double>& box
   }
 }
 
+// Does the same for what is known of its weights.
+void put_weights(MotionBoundPiecePack& pack, int lane, const PieceWeights& weights) {
+  double rest = 1;
+  for (int k = 0; k < most_motion_bound_joints; ++k) {
+    const bool is_joint = k < static_cast<int>(weights.least.size());
+    const float least = is_joint ? std::max(0.f, float_below(weights.least[static_cast<std::size_t>(k)])) : 0;
+    rest -= least;
+    for (int to = lane; to < motion_bound_lanes; ++to) pack.least[k][to] = least;
+  }
+  for (int to = lane; to < motion_bound_lanes; ++to) {
+    pack.rest[to] = float_above(std::max(0., rest));
+    pack.products[to] = float_above(weights.products * (1 + 1e-15));
+    pack.squared_products[to] = float_above(weights.squared_products * (1 + 1e-15));
+  }
+}
+
 }  // namespace
 
 std::vector<MotionBoundPiecePack> make_motion_bound_packs(const Character& c, std::span<const MotionPiece> pieces) {
@@ -63,6 +80,7 @@ std::vector<MotionBoundPiecePack> make_motion_bound_packs(const Character& c, st
     const auto joints = joints_of(p);
     put_lane(packs.back().ball, lane, joints, p.reference, p.to_prior, p.target);
     put_box(packs.back(), lane, static_cast<int>(joints.size()), p.box, p.reference);
+    put_weights(packs.back(), lane, p.weights);
   }
   return packs;
 }

@@ -16,7 +16,8 @@ template <int slots, bool deviates, bool few, class Merge>
   const Point f = load_point(pack.ball.center, first), middle = load_point(pack.box_center, first),
               half = load_point(pack.half, first);
   Images images;
-  Box<S> box;
+  Point at_least = Point::Constant(S(0));  // the sum of the least weights times the images of f
+  Box<S> box, box_at_least{at_least, at_least};
   Rotations<slots> rotations;
 #pragma GCC unroll 8
   for (int k = 0; k < slots; ++k) {
@@ -31,6 +32,14 @@ template <int slots, bool deviates, bool few, class Merge>
       around.low[i] = at_middle - about, around.high[i] = at_middle + about;
     }
     images.add(k, at_f);
+    if constexpr (slots > 1) {
+      const S least = load(pack.least[k] + first);
+      for (int i = 0; i < 3; ++i) {
+        at_least[i] = at_least[i] + least * at_f[i];
+        box_at_least.low[i] = box_at_least.low[i] + least * around.low[i];
+        box_at_least.high[i] = box_at_least.high[i] + least * around.high[i];
+      }
+    }
     if (k == 0) box = around;
     else box.merge(around);
     if constexpr (deviates) rotations.add(k, joint.rotation);
@@ -39,7 +48,9 @@ template <int slots, bool deviates, bool few, class Merge>
   bool is_known = true;
   if constexpr (deviates) {
     is_known = none_of(rotations.are_far());
-    const S c = rotations.cosine(), share = deviation_share(c) + S(off), n = load(pack.ball.joint_count + first);
+    const S c = rotations.cosine(), n = load(pack.ball.joint_count + first);
+    const S of_weights = squared_share_of_products(c, load(pack.products + first), load(pack.squared_products + first));
+    const S share = root(min_of(squared_deviation_share(c), of_weights)) + S(off);
     const S of_f = images.spread(n) + load(pack.ball.unsolved + first);
     radius = radius + share * of_f;
     // A of a vertex is at most A of f plus what the rotations add.
@@ -47,6 +58,14 @@ template <int slots, bool deviates, bool few, class Merge>
     margin = margin + share * (of_f + (turned + load(pack.unsolved_more + first)));
   }
   Box<S> cut = images.box();
+  if constexpr (slots > 1) {  // the hull of a single image is the image
+    const S rest = load(pack.rest + first);
+    for (int i = 0; i < 3; ++i) {
+      cut.low[i] = shrunk_by_least(at_least[i], rest, cut.low[i]), cut.high[i] = shrunk_by_least(at_least[i], rest, cut.high[i]);
+      box.low[i] = shrunk_by_least(box_at_least.low[i], rest, box.low[i]);
+      box.high[i] = shrunk_by_least(box_at_least.high[i], rest, box.high[i]);
+    }
+  }
   cut.grow(radius), box.grow(margin);
   for (int i = 0; i < 3; ++i) cut.low[i] = max_of(cut.low[i], box.low[i]), cut.high[i] = min_of(cut.high[i], box.high[i]);
   merge(cut);

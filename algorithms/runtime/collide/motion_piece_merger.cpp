@@ -5,16 +5,15 @@
 #include <cmath>
 
 #include "algorithms/runtime/packs/float_environment.hpp"
-#include "algorithms/runtime/skinning/rotation_center.hpp"
 
 namespace refitlab {
 
 std::vector<Pose> compared_poses(const SkinnedMesh& mesh) {
   const DefaultFloatEnvironment environment;
   constexpr int count = 6;
-  constexpr double half_angle = 0.45;
   std::vector<Pose> out;
   for (int p = 0; p < count; ++p) {
+    const double half_angle = p % 2 == 0 ? 0.1 : 0.3;
     Pose& pose = out.emplace_back();
     for (int j = 0; j < static_cast<int>(mesh.joints.size()); ++j) {
       const int axis = 1 + (j + p) % 3;
@@ -65,21 +64,6 @@ std::vector<MotionPiece> MotionPieceMerger::pieces(std::span<const std::vector<i
   return out;
 }
 
-MotionPiece MotionPieceMerger::piece_of(int joint_set, std::span<const int> vertices) const {
-  std::vector<Point3> points;
-  for (const int v : vertices) points.push_back(character_.mesh.vertices[v]);
-  MotionPiece out{joint_set, float_ball(points), box_around<double>(points), 0, 0};
-  int last = -1;
-  for (const int v : vertices) {
-    const int set = character_.sets.of_vertex(v);
-    if (set == last) continue;
-    last = set;
-    const Point3 prior = center_prior(character_.mesh, character_.sets.joints(set), Skinning::spherical);
-    out.to_prior = std::max(out.to_prior, (out.reference.center - prior).norm());
-  }
-  return out;
-}
-
 // Returns the boxes of each piece in the compared poses, or nothing if some are not known.
 std::vector<MotionPieceMerger::BoxesByPose> MotionPieceMerger::boxes_of(std::vector<MotionPiece> pieces) {
   for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].target = static_cast<int>(i);
@@ -96,7 +80,8 @@ std::vector<MotionPieceMerger::BoxesByPose> MotionPieceMerger::boxes_of(std::vec
 
 std::vector<MotionPieceMerger::Part> MotionPieceMerger::parts_of(std::span<const int> vertices) const {
   std::vector<Part> out;
-  for (const auto& [set, list] : by_joint_set(character_.sets, vertices)) out.push_back({list, piece_of(set, list), {}});
+  for (const auto& [set, list] : by_joint_set(character_.sets, vertices))
+    out.push_back({list, motion_piece(character_, set, list), {}});
   return out;
 }
 
@@ -111,7 +96,7 @@ void MotionPieceMerger::add_merges(const std::vector<Part>& parts, std::span<con
   for (const auto& [from, into] : pairs) {
     std::vector<int> both = parts[into].vertices;
     both.insert(both.end(), parts[from].vertices.begin(), parts[from].vertices.end());
-    pieces.push_back(piece_of(parts[into].piece.joint_set, both));
+    pieces.push_back(motion_piece(character_, parts[into].piece.joint_set, both));
   }
   const auto boxes = boxes_of(pieces);
   for (std::size_t i = 0; i < boxes.size(); ++i) merges.push_back({pairs[i].first, pairs[i].second, pieces[i], boxes[i]});

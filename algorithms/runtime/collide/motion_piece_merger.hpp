@@ -9,7 +9,8 @@
 
 namespace refitlab {
 
-// Returns the poses in which bounds are compared: each joint is turned about its own origin, neighbours in the list about other axes.
+// Returns the poses in which bounds are compared: each joint is turned about its own origin, a little or more, neighbours in the list
+// about other axes.
 std::vector<Pose> compared_poses(const SkinnedMesh& mesh);
 
 class MotionPieceMerger {
@@ -29,7 +30,6 @@ class MotionPieceMerger {
   struct Part;
   struct Merge;
 
-  MotionPiece piece_of(int joint_set, std::span<const int> vertices) const;
   std::vector<BoxesByPose> boxes_of(std::vector<MotionPiece> pieces);
   std::vector<Part> parts_of(std::span<const int> vertices) const;
   void add_merges(const std::vector<Part>& parts, std::span<const std::pair<std::size_t, std::size_t>> pairs,

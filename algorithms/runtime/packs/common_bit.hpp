@@ -22,18 +22,15 @@ inline constexpr int most_bytes_in_registers = 1024;
 
 [[gnu::always_inline]] inline std::uint32_t no_common_bit_in_registers(const std::uint8_t* table, int count,
                                                                        const std::uint16_t* const (&places)[3]) {
-  __m512i at[3], found[3];
-  for (int k = 0; k < 3; ++k) at[k] = _mm512_loadu_si512(places[k]);
+  __m512i found[3], part_of[3];  // as in look_up.hpp
+  for (int k = 0; k < 3; ++k) found[k] = _mm512_loadu_si512(places[k]), part_of[k] = _mm512_srli_epi16(found[k], 6);
   for (int first = 0; first < count; first += 64) {
     const auto part = [&](int i) {
       return _mm512_cvtepu8_epi16(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(table + first + i)));
     };
-    const __m512i low = part(0), high = part(32);
-    for (int k = 0; k < 3; ++k) {
-      const __m512i among = _mm512_permutex2var_epi16(low, at[k], high);  // what at modulo 64 says
-      const __mmask32 is_here = _mm512_cmpge_epu16_mask(at[k], _mm512_set1_epi16(static_cast<short>(first)));
-      found[k] = first == 0 ? among : _mm512_mask_mov_epi16(found[k], is_here, among);
-    }
+    const __m512i low = part(0), high = part(32), here = _mm512_set1_epi16(static_cast<short>(first / 64));
+    for (int k = 0; k < 3; ++k)
+      found[k] = _mm512_mask2_permutex2var_epi16(low, found[k], _mm512_cmpeq_epi16_mask(part_of[k], here), high);
   }
   return _mm512_testn_epi16_mask(_mm512_and_si512(found[0], found[1]), found[2]);
 }

@@ -21,36 +21,41 @@ constexpr int short_look_up_size(int count) { return (count + 63) / 64 * 64; }  
 enum class Table { of_few, in_registers, in_memory };
 inline constexpr int most_in_registers = 512;
 
-// Returns what a table has at the indices of n packs. The table is aligned as packs are, and look_up_size(count) floats of it can be
-// read. Each index is in [0, count).
-template <Table kind, std::size_t n>
-[[gnu::always_inline]] inline std::array<Pack<float>, n> look_up(const float* table, [[maybe_unused]] int count,
-                                                                 const std::array<const std::int32_t*, n>& index) {
-  std::array<Pack<float>, n> out;
+// Returns what each of several tables has at the indices of each of several packs. Tables are aligned as packs are, and
+// look_up_size(count) floats of each can be read. Each index is in [0, count).
+template <Table kind, std::size_t tables, std::size_t packs>
+[[gnu::always_inline]] inline std::array<std::array<Pack<float>, packs>, tables> look_up(
+    const std::array<const float*, tables>& table, [[maybe_unused]] int count,
+    const std::array<const std::int32_t*, packs>& index) {
+  std::array<std::array<Pack<float>, packs>, tables> out;
 #ifdef __AVX512F__
   if constexpr (kind != Table::in_memory) {
-    __m512i at[n];
-    __m512 found[n];
-    for (std::size_t k = 0; k < n; ++k) at[k] = _mm512_loadu_si512(index[k]);
-    const auto take = [&](const float* part, const auto& put) {
-      const __m512 low = _mm512_load_ps(part), high = _mm512_load_ps(part + 16);
-      for (std::size_t k = 0; k < n; ++k) put(k, _mm512_permutex2var_ps(low, at[k], high));  // what at modulo 32 says
-    };
-    take(table, [&](std::size_t k, __m512 among) { found[k] = among; });
-    for (int first = 32; kind != Table::of_few && first < count; first += 32)
-      take(table + first, [&](std::size_t k, __m512 among) {
-        found[k] = _mm512_mask_mov_ps(found[k], _mm512_cmpge_epi32_mask(at[k], _mm512_set1_epi32(first)), among);
-      });
-    for (std::size_t k = 0; k < n; ++k) out[k] = Pack<float>(found[k]);
+    // found begins with the indices. Each is read modulo 32, and then is what was found, or stays as it is where a lane's index is
+    // not in a part of the table.
+    __m512i found[tables][packs], part_of[packs];
+    for (std::size_t k = 0; k < packs; ++k) {
+      const __m512i at = _mm512_loadu_si512(index[k]);
+      part_of[k] = _mm512_srli_epi32(at, 5);
+      for (std::size_t t = 0; t < tables; ++t) found[t][k] = at;
+    }
+    for (int first = 0; first < (kind == Table::of_few ? 1 : count); first += 32) {
+      __mmask16 is_here[packs];
+      for (std::size_t k = 0; k < packs; ++k) is_here[k] = _mm512_cmpeq_epi32_mask(part_of[k], _mm512_set1_epi32(first / 32));
+      for (std::size_t t = 0; t < tables; ++t) {
+        const __m512i low = _mm512_load_si512(table[t] + first), high = _mm512_load_si512(table[t] + first + 16);
+        for (std::size_t k = 0; k < packs; ++k)
+          found[t][k] = kind == Table::of_few ? _mm512_permutex2var_epi32(low, found[t][k], high)
+                                              : _mm512_mask2_permutex2var_epi32(low, found[t][k], is_here[k], high);
+      }
+    }
+    for (std::size_t t = 0; t < tables; ++t)
+      for (std::size_t k = 0; k < packs; ++k) out[t][k] = Pack<float>(_mm512_castsi512_ps(found[t][k]));
     return out;
   }
 #endif
-  for (std::size_t k = 0; k < n; ++k) out[k] = Pack<float>([&](int lane) { return table[index[k][lane]]; });
+  for (std::size_t t = 0; t < tables; ++t)
+    for (std::size_t k = 0; k < packs; ++k) out[t][k] = Pack<float>([&](int lane) { return table[t][index[k][lane]]; });
   return out;
-}
-template <Table kind>
-[[gnu::always_inline]] inline Pack<float> look_up(const float* table, int count, const std::int32_t* index) {
-  return look_up<kind, 1>(table, count, {index})[0];
 }
 
 // Writes what a table of short integers has at a pack's indices to out. short_look_up_size(count) of it can be read.
@@ -59,13 +64,13 @@ template <Table kind>
                                            std::int32_t* out) {
 #ifdef __AVX512BW__
   if constexpr (kind != Table::in_memory) {
-    const __m512i at = _mm512_loadu_si512(index);
-    const auto among = [&](const std::uint16_t* part) {  // what at modulo 64 says, in the lower half of each lane
-      return _mm512_permutex2var_epi16(_mm512_loadu_si512(part), at, _mm512_loadu_si512(part + 32));
-    };
-    __m512i found = among(table);
-    for (int first = 64; kind != Table::of_few && first < count; first += 64)
-      found = _mm512_mask_mov_epi32(found, _mm512_cmpge_epi32_mask(at, _mm512_set1_epi32(first)), among(table + first));
+    // As above, with an index in the lower half of each lane.
+    __m512i found = _mm512_loadu_si512(index);
+    const __m512i part_of = _mm512_srli_epi16(found, 6);
+    for (int first = 0; first < count; first += 64)
+      found = _mm512_mask2_permutex2var_epi16(_mm512_loadu_si512(table + first), found,
+                                              _mm512_cmpeq_epi16_mask(part_of, _mm512_set1_epi16(static_cast<short>(first / 64))),
+                                              _mm512_loadu_si512(table + first + 32));
     _mm512_storeu_si512(out, _mm512_and_si512(found, _mm512_set1_epi32(0xffff)));
     return;
   }
