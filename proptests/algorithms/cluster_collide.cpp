@@ -560,22 +560,23 @@ void what_is_skinned_spares_others(Suite& t) {
               ClusterBody a(tree, Skinning::spherical), b(tree, Skinning::spherical), bounds(tree, Skinning::spherical);
               long wrong = 0, skinned = 0;
               for (int frame = 0; frame < 40; ++frame) {
-                const Pose pose = man.clips[0].sample(0.025 * frame * man.clips[0].duration);
-                const RigidTransform<double> at{{1, 0, 0, 0}, {0.35 + 0.01 * (frame % 20), 0, 0}};
-                a.begin(pose, {}), b.begin(pose, at), bounds.begin(pose, at);
+                const Pose first = man.clips[0].sample(0.025 * frame), second = man.clips[0].sample(0.025 * ((frame + 13) % 40));
+                const RigidTransform<double> at = moved(0.4 + 0.002 * frame, 0.1, 0.05);
+                a.begin(first, {}), b.begin(second, at), bounds.begin(second, at);
                 QueryCounts counts;
                 collide(a, b, Query::full, counts, nullptr);
                 // From so many clusters on they are skinned rather than bounded.
                 if (std::max(a.clusters_skinned(), b.clusters_skinned()) >= ClusterBody::least_clusters_of_contact) continue;
                 ClusterPairScratch scratch;
                 const ClusterPairs pairs(a.clusters(), b.clusters(), Query::full, counts, scratch);
-                for (int second = 0; second < static_cast<int>(tree.clusters().size()); ++second) {
-                  if (!b.clusters().is_skinned(second)) continue;
-                  const ChildPlace place = tree.clusters()[second].place;
+                const int count = static_cast<int>(tree.clusters().size());
+                for (int of_b = 0; of_b < count; ++of_b) {
+                  if (!b.clusters().is_skinned(of_b)) continue;
+                  const ChildPlace place = tree.clusters()[of_b].place;
                   const Box<float> bound = pairs.moved(get_box(bounds.wide_node_boxes(place.wide_node), place.child));
                   bool meets = false;
-                  for (int first = 0; first < static_cast<int>(tree.clusters().size()); ++first)
-                    meets = meets || (a.clusters().is_skinned(first) && !are_apart(a.clusters().cluster(first).box, bound));
+                  for (int of_a = 0; of_a < count; ++of_a)
+                    meets = meets || (a.clusters().is_skinned(of_a) && !are_apart(a.clusters().cluster(of_a).box, bound));
                   wrong += !meets, ++skinned;
                 }
               }
