@@ -365,9 +365,12 @@ void tiny_models_and_tight_boxes(Suite& t) {
         long lanes = 0;
         for (unsigned seed = 0; seed < 20; ++seed) {
           SkinnedMesh tube = gen::make_mesh({gen::MeshKind::tube, 8, 6, 4, seed});
-          for (auto& influences : tube.influences) {  // weights that are no floats
-            const double all = static_cast<double>(influences.size() * (influences.size() + 1)) / 2;
-            for (std::size_t k = 0; k < influences.size(); ++k) influences[k].weight = static_cast<double>(k + 1) / all;
+          for (std::size_t v = 0; v < tube.influences.size(); ++v) {  // Neither weights nor what they leave of 1 are floats.
+            auto& influences = tube.influences[v];
+            double all = 0;
+            for (std::size_t k = 0; k < influences.size(); ++k)
+              all += influences[k].weight = static_cast<double>(k + 1 + (7 * v + 3 * k) % 5);
+            for (auto& influence : influences) influence.weight /= all;
           }
           const auto c = bake(std::move(tube));
           std::vector<int> nodes;
