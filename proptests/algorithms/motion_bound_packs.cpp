@@ -357,6 +357,9 @@ void tiny_models_and_tight_boxes(Suite& t) {
     }
     return Checked(ok, 3 * 10 * count, text);
   });
+}
+
+void packs_are_rounded_to_the_safe_side(Suite& t) {
   t.example(
       "what turns may add to the spread of a piece's box, what its images may lack, and what is known of its weights, is what "
       "motion_bound_kernel.hpp says, rounded to the safe side",
@@ -455,6 +458,7 @@ PROPTEST(motion_bound_packs) {
   turning_joints_and_clusters_of_bodies(t);
   rotations_off_unit_length(t);
   tiny_models_and_tight_boxes(t);
+  packs_are_rounded_to_the_safe_side(t);
   rods_half_turns_and_what_has_no_pack(t);
 }
 
