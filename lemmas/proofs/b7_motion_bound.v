@@ -360,24 +360,29 @@ Proof. intros L. rewrite <- (total_map g weight). unfold weight. now rewrite com
 Lemma total_identity u : total (fun a : R => a) u = sum u.
 Proof. induction u as [|a u IH]; [reflexivity|]. cbn [total]. rewrite sum_cons, IH. reflexivity. Qed.
 
+(* What is said of transforms and of convex weights, of both together. *)
+Lemma weighted_transforms cs c f u : are_within c cs -> convex (length cs) u -> let ts := combine u cs in
+  (forall t, In t ts -> norm2 (turn t) = 1) /\ (forall t, In t ts -> 0 <= weight t) /\
+  (forall p, In p (pairs ts) -> c <= dot (turn (fst p)) (turn (snd p))) /\
+  squared_spread cs f = total (fun p => norm2 (image f (fst p) - image f (snd p))) (pairs ts) /\ total weight ts = 1.
+Proof.
+  intros (C0 & U & Cp) (L & P & S) ts. repeat split.
+  - intros t I. rewrite Forall_forall in U. apply U. destruct t as [a r]. eapply in_combine_r, I.
+  - intros t I. rewrite Forall_forall in P. apply P. destruct t as [a r]. eapply in_combine_l, I.
+  - intros p I. rewrite Forall_forall in Cp. apply (Cp (snd (fst p), snd (snd p))).
+    rewrite <- (combine_snd u cs L). rewrite pairs_map. apply in_map_iff. now exists p.
+  - unfold squared_spread. rewrite <- (combine_snd u cs L) at 1. rewrite pairs_map, total_map. reflexivity.
+  - rewrite <- S, <- (total_identity u). exact (total_weights u cs (fun a => a) L).
+Qed.
+
 Theorem deviates_little_holds : deviates_little.
 Proof.
   intros cs c f u (C0 & U & Cp) W. assert (W' := W). destruct W' as (L & P & S).
   set (ts := combine u cs). set (q := comb u (map rotation cs)). set (x := total (fun a => a * a) u).
-  assert (Ut : forall t, In t ts -> norm2 (turn t) = 1).
-  { intros t I. rewrite Forall_forall in U. apply U. destruct t as [a r]. eapply in_combine_r, I. }
-  assert (Pt : forall t, In t ts -> 0 <= weight t).
-  { intros t I. rewrite Forall_forall in P. apply P. destruct t as [a r]. eapply in_combine_l, I. }
-  assert (Cs : forall p, In p (pairs ts) -> c <= dot (turn (fst p)) (turn (snd p))).
-  { intros p I. rewrite Forall_forall in Cp. apply (Cp (snd (fst p), snd (snd p))).
-    rewrite <- (combine_snd u cs L). rewrite pairs_map. apply in_map_iff. now exists p. }
-  assert (Sp : squared_spread cs f = total (fun p => norm2 (image f (fst p) - image f (snd p))) (pairs ts)).
-  { unfold squared_spread. rewrite <- (combine_snd u cs L) at 1. rewrite pairs_map, total_map. reflexivity. }
+  destruct (weighted_transforms cs c f u (Logic.conj C0 (Logic.conj U Cp)) W) as (Ut & Pt & Cs & Sp & T1). fold ts in Ut, Pt, Cs, Sp, T1.
   (* The sums of the proof. *)
   set (P2 := total (fun p => weight (fst p) * weight (snd p)) (pairs ts)).
   set (p2 := total (fun p => (weight (fst p) * weight (snd p)) * (weight (fst p) * weight (snd p))) (pairs ts)).
-  assert (T1 : total weight ts = 1).
-  { rewrite <- S, <- (total_identity u). exact (total_weights u cs (fun a => a) L). }
   assert (T2 : total (fun t => weight t * weight t) ts = x) by exact (total_weights u cs (fun a => a * a) L).
   assert (T4 : total (fun t => weight t * weight t * (weight t * weight t)) ts = total (fun a => a * a * (a * a)) u)
     by exact (total_weights u cs (fun a => a * a * (a * a)) L).
@@ -490,17 +495,7 @@ Theorem deviates_by_products_holds : deviates_by_products.
 Proof.
   intros cs c f u P Q (C0 & U & Cp) W HP HQ D0. assert (W' := W). destruct W' as (L & Pu & S).
   set (ts := combine u cs). set (q := comb u (map rotation cs)).
-  assert (Ut : forall t, In t ts -> norm2 (turn t) = 1).
-  { intros t I. rewrite Forall_forall in U. apply U. destruct t as [a r]. eapply in_combine_r, I. }
-  assert (Pt : forall t, In t ts -> 0 <= weight t).
-  { intros t I. rewrite Forall_forall in Pu. apply Pu. destruct t as [a r]. eapply in_combine_l, I. }
-  assert (Cs : forall p, In p (pairs ts) -> c <= dot (turn (fst p)) (turn (snd p))).
-  { intros p I. rewrite Forall_forall in Cp. apply (Cp (snd (fst p), snd (snd p))).
-    rewrite <- (combine_snd u cs L). rewrite pairs_map. apply in_map_iff. now exists p. }
-  assert (Sp : squared_spread cs f = total (fun p => norm2 (image f (fst p) - image f (snd p))) (pairs ts)).
-  { unfold squared_spread. rewrite <- (combine_snd u cs L) at 1. rewrite pairs_map, total_map. reflexivity. }
-  assert (T1 : total weight ts = 1).
-  { rewrite <- S, <- (total_identity u). exact (total_weights u cs (fun a => a) L). }
+  destruct (weighted_transforms cs c f u (Logic.conj C0 (Logic.conj U Cp)) W) as (Ut & Pt & Cs & Sp & T1). fold ts in Ut, Pt, Cs, Sp, T1.
   set (P2 := total (fun p => weight (fst p) * weight (snd p)) (pairs ts)).
   set (p2 := total (fun p => (weight (fst p) * weight (snd p)) * (weight (fst p) * weight (snd p))) (pairs ts)).
   assert (E2 : P2 <= P /\ p2 <= Q).
